@@ -5,30 +5,32 @@
 namespace ajar {
 namespace {
 
-constexpr WarningKind kCoatedMetal{
-    Effect::Slight, "metals have a coat: light that goes to and fro between the two is shown"};
-constexpr WarningKind kBeckmannBelow{
-    Effect::Slight, "metals below a coat have facets of a distribution that is not supported"};
+constexpr WarningKind kEvenAbsorption{
+    Effect::Slight,
+    "coats of metals absorb light, and one of the two is rough: from all sides alike"};
 
 }  // namespace
 
-desc::Node coated_metal(const desc::Node& conductor, float coat_eta, const SourceLocation& where,
-                        Warnings& warnings) {
-  warnings.add(kCoatedMetal, where,
-               "what goes to and fro between a metal and its coat is shown here");
-  if (conductor.text("distribution") == "beckmann") {
-    warnings.add(kBeckmannBelow, where,
-                 "the facets of a metal below a coat are those of \"ggx\" here");
-  }
+desc::Node coated_metal(const desc::Node& conductor, const MetalCoat& coat,
+                        const SourceLocation& where, Warnings& warnings) {
   desc::Node node =
-      desc::material_node("coated_conductor", {{"eta", conductor.color("eta") * coat_eta},
-                                               {"k", conductor.color("k") * coat_eta},
-                                               {"coat_eta", coat_eta}});
-  if (conductor.text("distribution") == "smooth") {
+      desc::material_node("coated_conductor", {{"eta", conductor.color("eta") * coat.eta},
+                                               {"k", conductor.color("k") * coat.eta},
+                                               {"coat_eta", coat.eta},
+                                               {"coat_depth", coat.depth},
+                                               {"bounces", 1},
+                                               {"masking", conductor.text("masking")}});
+  const bool is_smooth = conductor.text("distribution") == "smooth";
+  if (is_smooth) {
     node.set("roughness", 0.F);
   } else {
-    node.set("roughness", conductor.get("roughness"));
-    node.set("roughness_v", conductor.get("roughness_v"));
+    for (const char* name : {"roughness", "roughness_v", "distribution"}) {
+      node.set(name, conductor.get(name));
+    }
+  }
+  if (coat.depth != Vec3(0.F) && (coat.is_rough || !is_smooth)) {
+    warnings.add(kEvenAbsorption, where,
+                 "the coat of this metal absorbs as much light from all sides here");
   }
   return node;
 }

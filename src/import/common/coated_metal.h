@@ -4,11 +4,18 @@
 
 namespace ajar {
 
-/// The metal `conductor`, a node of that model with colours as its indices, under a clear, smooth
-/// coat of the index `coat_eta`. Formats that lay a coat on any material give the metal the
-/// reflectance that it has in air, so its indices grow with that of the coat. What differs from
-/// them is a warning at `where`: light goes to and fro between the two, and facets are GGX's.
-desc::Node coated_metal(const desc::Node& conductor, float coat_eta, const SourceLocation& where,
-                        Warnings& warnings);
+/// A layer of a dielectric on a metal.
+struct MetalCoat {
+  float eta = 1.5F;
+  Vec3 depth{0.F};        ///< optical thickness along the normal
+  bool is_rough = false;  ///< has facets of its own, which the caller tells
+};
+
+/// The metal `conductor`, a node of that model with colours as its indices, under a coat as formats
+/// have it that lay one on any material: the metal has the reflectance that it has in air, so its
+/// indices grow with that of the coat, and light meets it once. What is weakened otherwise than
+/// there is a warning at `where`.
+desc::Node coated_metal(const desc::Node& conductor, const MetalCoat& coat,
+                        const SourceLocation& where, Warnings& warnings);
 
 }  // namespace ajar

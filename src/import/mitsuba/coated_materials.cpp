@@ -38,6 +38,12 @@ float index_of_coat(const MaterialInputs& in, std::string_view usual) {
   return eta;
 }
 
+/// How the facets of a rough coat let light through: a table of light that meets one of them, in
+/// all versions. In 0.x what the table lacks is turned back inside; since 2 it is lost there, too.
+std::string transmission_of_rough_coat(const MaterialInputs& in) {
+  return in.context().document.major_version == 0 ? "single" : "lossy_sum";
+}
+
 /// Diffuse under a coat.
 desc::Node coated_diffuse(const MaterialInputs& in, float eta, const desc::Value& base,
                           bool is_rough) {
@@ -48,7 +54,10 @@ desc::Node coated_diffuse(const MaterialInputs& in, float eta, const desc::Value
                          {"coat_reflectance",
                           in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F))},
                          {"roughness", 0.F}});
-  if (is_rough) read_ggx_roughness(in).set(node);
+  if (is_rough) {
+    read_roughness(in).set(node);
+    node.set("coat_transmission", transmission_of_rough_coat(in));
+  }
   return node;
 }
 
@@ -62,18 +71,19 @@ Surface plastic(const MaterialInputs& in, bool is_rough) {
   return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, true};
 }
 
-desc::Node metal_below(const MaterialInputs& in, float eta, const desc::Node& metal,
-                       bool is_rough) {
+desc::Node metal_below(const MaterialInputs& in, const MetalCoat& coat, const desc::Node& metal) {
   if (in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F)) !=
       desc::Value(Vec3(1.F))) {
     in.context().warnings.add(kTintedCoat, in.where(),
                               "\"specular_reflectance\" of a coat on metal is not supported: 1");
   }
-  desc::Node node = coated_metal(metal, eta, in.where(), in.context().warnings);
-  if (is_rough) {
-    const Roughness coat = read_ggx_roughness(in);
-    node.set("coat_roughness", coat.alpha);
-    if (coat.alpha_v) node.set("coat_roughness_v", *coat.alpha_v);
+  desc::Node node = coated_metal(metal, coat, in.where(), in.context().warnings);
+  if (coat.is_rough) {
+    const Roughness facets = read_roughness(in);
+    node.set("coat_roughness", facets.alpha);
+    if (facets.alpha_v) node.set("coat_roughness_v", *facets.alpha_v);
+    node.set("coat_distribution", facets.distribution);
+    node.set("coat_transmission", std::string("single"));
   }
   return node;
 }
@@ -104,12 +114,11 @@ Surface coating(const MaterialInputs& in, bool is_rough) {
     desc::Node node = coated_diffuse(in, eta, base.node.get("reflectance"), is_rough);
     node.set("coat_depth", Vec3(depth));
     node.set("bounces", 1);
+    if (is_rough) node.set("coat_transmission", std::string("single"));
     return finished(std::move(node));
   }
   if (base.node.is("conductor") && is_constant(base.node, "eta") && is_constant(base.node, "k")) {
-    desc::Node node = metal_below(in, eta, base.node, is_rough);
-    node.set("coat_depth", Vec3(depth));
-    return finished(std::move(node));
+    return finished(metal_below(in, {eta, Vec3(depth), is_rough}, base.node));
   }
   in.context().warnings.add(kCoat, in.where(),
                             "a coat is only supported on diffuse materials and metals: left out");
@@ -135,6 +144,13 @@ desc::Node glossy(const MaterialInputs& in) {
 
 Surface make_plastic(const MaterialInputs& in) { return plastic(in, false); }
 Surface make_rough_plastic(const MaterialInputs& in) { return plastic(in, true); }
+Surface make_polarized_plastic(const MaterialInputs& in) {
+  const desc::Value base = in.textures.color(in.arguments, "diffuse_reflectance", desc::Rgb(0.5F));
+  desc::Node node = coated_diffuse(in, index_of_coat(in, "polypropylene"), base, true);
+  node.set("coat_transmission", std::string("smooth"));
+  node.set("inner_reflections", std::string("windows"));
+  return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, true};
+}
 Surface make_coating(const MaterialInputs& in) { return coating(in, false); }
 Surface make_rough_coating(const MaterialInputs& in) { return coating(in, true); }
 

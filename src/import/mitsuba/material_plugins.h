@@ -43,6 +43,7 @@ Surface make_ggx_conductor(const MaterialInputs& in);
 // In coated_materials.cpp:
 Surface make_plastic(const MaterialInputs& in);
 Surface make_rough_plastic(const MaterialInputs& in);
+Surface make_polarized_plastic(const MaterialInputs& in);
 Surface make_coating(const MaterialInputs& in);
 Surface make_rough_coating(const MaterialInputs& in);
 Surface make_phong(const MaterialInputs& in);

@@ -87,12 +87,36 @@ TEST(MitsubaMaterials, PlasticIsACoatedBase) {
   EXPECT_EQ(plastic.node().color("coat_reflectance"), Vec3(0.5F));
   EXPECT_EQ(plastic.node().number("roughness"), 0.3F);
   EXPECT_EQ(plastic.node().text("inner_reflections"), "white");
+  EXPECT_EQ(plastic.node().text("masking"), "separable");
+  EXPECT_EQ(plastic.node().text("coat_transmission"), "lossy_sum");
   const MaterialOf smooth("<bsdf type=\"plastic\"/>");
   EXPECT_EQ(smooth.warnings, "");
   EXPECT_EQ(smooth.node().number("roughness"), 0.F);
   const MaterialOf nonlinear(
       "<bsdf type=\"plastic\"><boolean name=\"nonlinear\" value=\"true\"/></bsdf>");
   EXPECT_EQ(nonlinear.node().text("inner_reflections"), "base");
+  const MaterialOf usual("<bsdf type=\"roughplastic\"/>");
+  EXPECT_EQ(usual.node().text("distribution"), "beckmann");
+  EXPECT_EQ(usual.warnings, "");
+}
+
+TEST(MitsubaMaterials, RoughPlasticLosesNothingInsideBeforeVersion2) {
+  Warnings warnings;
+  std::string text = world(sphere_of("<bsdf type=\"roughplastic\"/>"));
+  text.replace(text.find("3.0.0"), 5, "0.6.0");
+  const desc::SceneDesc old = import_with(text, warnings);
+  const auto material = static_cast<std::size_t>(old.shapes.front().material);
+  EXPECT_EQ(old.materials[material].node.text("coat_transmission"), "single");
+}
+
+TEST(MitsubaMaterials, PolarizedPlasticIsABaseBehindTwoWindows) {
+  const MaterialOf plastic("<bsdf type=\"pplastic\"><float name=\"alpha\" value=\"0.2\"/></bsdf>");
+  EXPECT_EQ(plastic.warnings, "");
+  ASSERT_TRUE(plastic.node().is("coated_diffuse"));
+  EXPECT_EQ(plastic.node().number("roughness"), 0.2F);
+  EXPECT_EQ(plastic.node().text("distribution"), "beckmann");
+  EXPECT_EQ(plastic.node().text("coat_transmission"), "smooth");
+  EXPECT_EQ(plastic.node().text("inner_reflections"), "windows");
 }
 
 TEST(MitsubaMaterials, CoatsAreLayers) {
@@ -115,8 +139,11 @@ TEST(MitsubaMaterials, CoatsAreLayers) {
   EXPECT_EQ(lacquer.node().number("coat_eta"), 1.5F);
   EXPECT_EQ(lacquer.node().number("coat_roughness"), 0.2F);
   EXPECT_EQ(lacquer.node().number("roughness"), 0.1F);
-  EXPECT_TRUE(contains(lacquer.warnings, "to and fro between a metal and its coat"));
-  EXPECT_TRUE(contains(lacquer.warnings, "those of \"ggx\" here"));
+  EXPECT_EQ(lacquer.node().text("distribution"), "beckmann");
+  EXPECT_EQ(lacquer.node().text("coat_distribution"), "ggx");
+  EXPECT_EQ(lacquer.node().text("coat_transmission"), "single");
+  EXPECT_EQ(lacquer.node().integer("bounces"), 1);
+  EXPECT_EQ(lacquer.warnings, "");
   const MaterialOf glass("<bsdf type=\"coating\"><bsdf type=\"dielectric\"/></bsdf>");
   EXPECT_TRUE(glass.node().is("dielectric"));
   EXPECT_TRUE(contains(glass.warnings, "left out"));
@@ -477,6 +504,7 @@ TEST(MitsubaMaterials, CoatsThatAbsorbAreWarnedOf) {
   };
   EXPECT_EQ(coat("diffuse").node().get("coat_depth"), desc::Value(Vec3(2.F, 4.F, 6.F)));
   EXPECT_EQ(coat("roughconductor").node().get("coat_depth"), desc::Value(Vec3(2.F, 4.F, 6.F)));
+  EXPECT_TRUE(contains(coat("roughconductor").warnings, "absorbs as much light from all sides"));
   EXPECT_TRUE(contains(coat("roughdiffuse").warnings, "rough diffuse base below a coat"));
   EXPECT_TRUE(coat("roughdiffuse").node().is("coated_diffuse"));
 }

@@ -11,23 +11,6 @@ constexpr WarningKind kDistribution{
 
 constexpr float kDefaultAlpha = 0.1F;
 
-void warn(const MaterialInputs& in, const std::string& given, const std::string& used) {
-  in.context().warnings.add(kDistribution, in.where(),
-                            "the distribution \"" + printable(given) +
-                                "\" of facets is not supported here: \"" + used + "\" stands in",
-                            printable(given));
-}
-
-Roughness read(const MaterialInputs& in) {
-  Roughness result;
-  const desc::Value both = in.textures.number(in.arguments, "alpha", kDefaultAlpha);
-  result.alpha = in.textures.find_number(in.arguments, "alpha_u").value_or(both);
-  result.alpha_v = in.textures.find_number(in.arguments, "alpha_v");
-  result.distribution = in.arguments.word("distribution", "beckmann");
-  in.arguments.accept({"sample_visible"});
-  return result;
-}
-
 }  // namespace
 
 void Roughness::set(desc::Node& node) const {
@@ -39,19 +22,18 @@ void Roughness::set(desc::Node& node) const {
 }
 
 Roughness read_roughness(const MaterialInputs& in) {
-  Roughness result = read(in);
-  if (result.distribution != "ggx" && result.distribution != "beckmann") {
-    warn(in, result.distribution, "beckmann");
-    result.distribution = "beckmann";
-  }
-  return result;
-}
-
-Roughness read_ggx_roughness(const MaterialInputs& in) {
-  Roughness result = read(in);
-  if (result.distribution != "ggx") {
-    warn(in, result.distribution, "ggx");
-    result.distribution = "ggx";
+  Roughness result;
+  const desc::Value both = in.textures.number(in.arguments, "alpha", kDefaultAlpha);
+  result.alpha = in.textures.find_number(in.arguments, "alpha_u").value_or(both);
+  result.alpha_v = in.textures.find_number(in.arguments, "alpha_v");
+  const std::string given = in.arguments.word("distribution", "beckmann");
+  in.arguments.accept({"sample_visible"});
+  result.distribution = given == "ggx" ? "ggx" : "beckmann";
+  if (given != result.distribution) {
+    in.context().warnings.add(kDistribution, in.where(),
+                              "the distribution \"" + printable(given) +
+                                  "\" of facets is not supported here: \"beckmann\" stands in",
+                              printable(given));
   }
   return result;
 }

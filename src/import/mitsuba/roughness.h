@@ -19,7 +19,5 @@ struct Roughness {
 /// From "distribution", "alpha", "alpha_u" and "alpha_v". Distributions that we do not have are the
 /// nearest, with a warning.
 Roughness read_roughness(const MaterialInputs& in);
-/// The same for models that have GGX only: others are GGX, with a warning.
-Roughness read_ggx_roughness(const MaterialInputs& in);
 
 }  // namespace ajar::mitsuba

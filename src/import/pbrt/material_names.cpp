@@ -10,6 +10,8 @@ const ParameterName kSquared{"roughness_scale", {"remaproughness"}, "square", {"
 const ParameterName kDiffuse{"diffuse_reflectance", {"Kd"}};
 const ParameterName kGlossy{"glossy_reflectance", {"Ks"}};
 const ParameterName kIndex{"eta", {"eta", "index"}};
+/// pbrt-v4 loses what meets more than one facet of a coat.
+const ParameterName kLossy{"coat_transmission", {}, "lossy"};
 
 /// pbrt gives both roughnesses a value of their own.
 ParameterName roughness_v(std::vector<std::string_view> theirs, std::string_view fallback) {
@@ -41,7 +43,11 @@ std::vector<ParameterName> coated_conductor() {
   parameters.push_back({"eta", {"conductor.eta"}});
   parameters.push_back({"k", {"conductor.k"}});
   parameters.push_back({"coat_eta", {"interface.eta"}});
-  parameters.push_back({"coat_depth", {}});
+  for (const char* name :
+       {"coat_depth", "bounces", "distribution", "coat_distribution", "masking"}) {
+    parameters.push_back({name, {}});
+  }
+  parameters.push_back(kLossy);
   parameters.push_back(kSquared);
   return parameters;
 }
@@ -143,8 +149,12 @@ const std::vector<ModelName>& materials_of_v4() {
                        {"coat", {}, "dielectric"},
                        {"coat_reflectance", {}},
                        {"coat_depth", {}},
+                       {"coat_ways", {}},
                        {"bounces", {}},
-                       {"inner_reflections", {}}})},
+                       {"inner_reflections", {}},
+                       kFacets,
+                       kMasking,
+                       kLossy})},
       {"coatedconductor", "coated_conductor", coated_conductor()},
       {"diffusetransmission",
        "translucent",

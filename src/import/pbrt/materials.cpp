@@ -23,8 +23,6 @@ constexpr WarningKind kNoMediumInCoat{
     Effect::Surface, "coated materials have an \"albedo\" in their coat, which is not supported"};
 constexpr WarningKind kTwoMetals{
     Effect::Surface, "metals have both an index and a reflectance, which pbrt-v4 refuses"};
-constexpr WarningKind kBouncesOnMetal{Effect::Slight,
-                                      "coated metals have \"maxdepth\", which is not supported"};
 constexpr WarningKind kNoDisneySubsurface{
     Effect::Surface, "disney materials have subsurface scattering, which is not supported"};
 
@@ -113,15 +111,7 @@ void finish_v4(const SourceLocation& where, const std::string& type, const Textu
     const float* number = std::get_if<float>(&depth);
     if (number != nullptr) depth = Vec3(*number);
     node.set("coat_depth", depth);
-    const std::optional<int> ways = p.integer("maxdepth");
-    if (node.is("coated_diffuse")) {
-      node.set("bounces", std::clamp(ways.value_or(10) / 2, 1, 1000));
-    } else if (ways.value_or(10) < 10) {
-      p.context().warnings.add(kBouncesOnMetal, where,
-                               type +
-                                   ": \"maxdepth\" is not supported: light meets the metal any "
-                                   "number of times");
-    }
+    node.set("bounces", std::clamp(p.integer("maxdepth").value_or(10) / 2, 1, 1000));
     p.accept({"g", "nsamples", "twosided"});
   }
 }

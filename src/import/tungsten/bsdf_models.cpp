@@ -82,24 +82,6 @@ desc::Node fiber(const BsdfInputs& in) {
 
 // ---------------------------------------------------------------- metals
 
-/// Tungsten's facets hide each other by each side alone.
-const std::string kMasking = "separable";
-
-/// "distribution", as our models of conductors and glass name it.
-std::string distribution_of(const BsdfInputs& in) {
-  const std::string name = in.object.text("distribution").value_or("ggx");
-  if (name == "ggx" || name == "beckmann") return name;
-  if (name == "phong") {
-    in.warn(kDistribution,
-            "the distribution \"phong\" is not supported: \"beckmann\", which is near, stands in");
-    return "beckmann";
-  }
-  static const std::vector<std::string> kKnown = {"beckmann", "ggx", "phong"};
-  in.warn(kUnknownDistribution,
-          unknown_name_message("distribution", shown(name), kKnown) + ". \"ggx\" stands in");
-  return "ggx";
-}
-
 ComplexIor complex_ior(const BsdfInputs& in) {
   const ComplexIor copper = *find_metal("Cu");
   const std::optional<Vec3> eta = in.object.vector("eta");
@@ -241,11 +223,18 @@ constexpr std::array<Entry, 21> kModels = {{{"lambert", lambert},
 
 }  // namespace
 
-void expect_ggx(const BsdfInputs& in) {
+std::string distribution_of(const BsdfInputs& in) {
   const std::string name = in.object.text("distribution").value_or("ggx");
-  if (name == "ggx") return;
-  in.warn(kDistribution, "only the distribution \"ggx\" is supported here, not \"" + shown(name) +
-                             "\": it stands in");
+  if (name == "ggx" || name == "beckmann") return name;
+  if (name == "phong") {
+    in.warn(kDistribution,
+            "the distribution \"phong\" is not supported: \"beckmann\", which is near, stands in");
+    return "beckmann";
+  }
+  static const std::vector<std::string> kKnown = {"beckmann", "ggx", "phong"};
+  in.warn(kUnknownDistribution,
+          unknown_name_message("distribution", shown(name), kKnown) + ". \"ggx\" stands in");
+  return "ggx";
 }
 
 std::optional<desc::MaterialId> BsdfInputs::part(std::string_view name) const {

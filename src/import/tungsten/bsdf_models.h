@@ -40,8 +40,10 @@ struct BsdfInputs {
 /// The material for a bsdf of this type; nothing if the type is unknown.
 std::optional<desc::Node> make_bsdf(const std::string& type, const BsdfInputs& in);
 
-/// Reads "distribution" for a material whose facets are always those of GGX: others are a warning.
-void expect_ggx(const BsdfInputs& in);
+/// "distribution", as our models name it; what they have not is the nearest, with a warning.
+std::string distribution_of(const BsdfInputs& in);
+/// "masking": Tungsten's facets hide each other by each side alone.
+inline const std::string kMasking = "separable";
 
 /// All types that `make_bsdf` knows.
 std::vector<std::string> bsdf_types();

@@ -14,8 +14,6 @@ namespace {
 
 constexpr WarningKind kThinLayer{Effect::Surface,
                                  "layers have an index of refraction below 1: no gloss"};
-constexpr WarningKind kAbsorption{Effect::Slight,
-                                  "layers absorb light: as much from all sides stands in"};
 constexpr WarningKind kCoat{Effect::Surface, "coats are not supported: blends stand in"};
 
 /// A layer of a dielectric.
@@ -23,6 +21,15 @@ struct Layer {
   double ior;
   Vec3 tau;  ///< optical thickness
 };
+
+/// How the surface of a layer is.
+struct Facets {
+  desc::Value roughness = 0.F;
+  std::string distribution = "ggx";
+};
+Facets rough_facets(const BsdfInputs& in) {
+  return {in.number("roughness", 0.02F), distribution_of(in)};
+}
 
 Layer layer_of(const BsdfInputs& in, float usual_ior) {
   const float ior = in.object.number("ior").value_or(usual_ior);
@@ -48,66 +55,39 @@ double passed_once(const Layer& layer) {
   return (1.0 - mean_reflectance(layer.ior)) * (1.0 - mean_internal_reflectance(layer.ior));
 }
 
-/// Share of light that a plastic's layer leaves on the way in and out, on average over all
-/// directions: Tungsten measures the way by those outside of the layer.
-Vec3 left_by(const Layer& layer) {
-  return per_lane(layer.tau, [&](double tau) {
-    const double once = mean_transmittance(1.0, tau);
-    return once * once;
-  });
-}
-
-void warn_of_absorption(const BsdfInputs& in, const Layer& layer) {
-  if (layer.tau != Vec3(0.F)) {
-    in.warn(kAbsorption, "a layer absorbs as much light from all sides here");
-  }
-}
-
-desc::Node coated_diffuse(const Layer& layer, const desc::Value& albedo,
-                          const desc::Value& roughness) {
+/// Diffuse below a layer. A rough layer lets as much through as a smooth one there.
+desc::Node coated_diffuse(const Layer& layer, const desc::Value& albedo, const Facets& facets) {
   return desc::material_node("coated_diffuse", {{"coat", std::string("dielectric")},
                                                 {"eta", static_cast<float>(layer.ior)},
                                                 {"diffuse_reflectance", albedo},
-                                                {"roughness", roughness}});
+                                                {"coat_depth", layer.tau},
+                                                {"coat_transmission", std::string("smooth")},
+                                                {"roughness", facets.roughness},
+                                                {"distribution", facets.distribution},
+                                                {"masking", kMasking}});
 }
 
-desc::Node plastic_of(const BsdfInputs& in, const desc::Value& roughness) {
-  const Layer layer = layer_of(in, 1.5F);
-  warn_of_absorption(in, layer);
-  const Vec3 left = left_by(layer);
-  const desc::Value albedo = in.albedo();
-  // Only what leaves is weakened there, not what goes to and fro.
-  const double back = mean_internal_reflectance(layer.ior);
-  const auto weakened = [&](const Vec3& color) {
-    Vec3 result;
-    for (int lane = 0; lane < 3; ++lane) {
-      const double base = std::clamp(static_cast<double>(color[lane]), 0.0, 1.0);
-      const double leaves = static_cast<double>(left[lane]) * base / (1.0 - base * back);
-      result[lane] = static_cast<float>(leaves / (1.0 + leaves * back));
-    }
-    return result;
-  };
-  const Vec3* constant = std::get_if<Vec3>(&albedo);
-  // A texture can only be scaled: rightly for what is half as bright as white.
-  const desc::Value base = constant != nullptr
-                               ? desc::Value(weakened(*constant))
-                               : in.textures.product(albedo, weakened(Vec3(0.5F)) * 2.F);
-  return coated_diffuse(layer, base, roughness);
+desc::Node plastic_of(const BsdfInputs& in, const Facets& facets) {
+  desc::Node node = coated_diffuse(layer_of(in, 1.5F), in.albedo(), facets);
+  node.set("coat_ways", std::string("straight"));
+  return node;
 }
 
 desc::Node metal_below(const BsdfInputs& in, const Layer& layer, const desc::Node& metal,
-                       const desc::Value& roughness) {
-  desc::Node node =
-      coated_metal(metal, static_cast<float>(layer.ior), in.where(), in.context.warnings);
-  node.set("coat_depth", layer.tau);
-  node.set("coat_roughness", roughness);
+                       const Facets& facets) {
+  const MetalCoat coat{static_cast<float>(layer.ior), layer.tau,
+                       facets.roughness != desc::Value(0.F)};
+  desc::Node node = coated_metal(metal, coat, in.where(), in.context.warnings);
+  node.set("coat_roughness", facets.roughness);
+  node.set("coat_distribution", facets.distribution);
+  node.set("coat_transmission", std::string("smooth"));
   return node;
 }
 
 /// A blend whose first part, the coat, reflects more than the layer does by as much as the blend
 /// weakens it, since only blends of two materials exist and no sums.
 desc::Node blended_coat(const BsdfInputs& in, const Layer& layer, desc::MaterialId base,
-                        const desc::Value& roughness) {
+                        const Facets& facets) {
   in.warn(kCoat,
           "a coat of this is not supported: a blend of a gloss and of what is under it, of the "
           "same share of reflected light, stands in");
@@ -127,8 +107,8 @@ desc::Node blended_coat(const BsdfInputs& in, const Layer& layer, desc::Material
       "composite", {{"diffuse_reflectance", Vec3(0.F)},
                     {"glossy_reflectance", Vec3(0.F)},
                     {"eta", static_cast<float>(ior_of_mean_reflectance(reflected))}});
-  const bool is_smooth = roughness == desc::Value(0.F);
-  if (!is_smooth) coat.set("roughness", roughness);
+  const bool is_smooth = facets.roughness == desc::Value(0.F);
+  if (!is_smooth) coat.set("roughness", facets.roughness);
   coat.set(is_smooth ? "mirror_reflectance" : "glossy_reflectance",
            per_lane(coat_share, [&](double share) {
              return std::min(static_cast<double>(least) / std::max(share, 1e-6), 1.0);
@@ -139,41 +119,31 @@ desc::Node blended_coat(const BsdfInputs& in, const Layer& layer, desc::Material
                                      {"second", desc::MaterialRef{base}}});
 }
 
-desc::Node coated(const BsdfInputs& in, const desc::Value& roughness) {
+desc::Node coated(const BsdfInputs& in, const Facets& facets) {
   in.object.accept({"albedo", "color"});
   const Layer layer = layer_of(in, 1.3F);
   const std::optional<desc::MaterialId> given = in.part("substrate");
   const desc::MaterialId base =
-      given
-          ? *given
-          : in.add(desc::material_node(
-                "conductor",
-                {{"eta", find_metal("Cu")->eta}, {"k", find_metal("Cu")->k}, {"roughness", 0.1F}}));
+      given ? *given
+            : in.add(desc::material_node("conductor", {{"eta", find_metal("Cu")->eta},
+                                                       {"k", find_metal("Cu")->k},
+                                                       {"roughness", 0.1F},
+                                                       {"masking", kMasking}}));
   const desc::Node below = in.context.scene.materials[static_cast<std::size_t>(base)].node;
   if (below.is("diffuse") && below.get("sigma") == desc::Value(0.F)) {
-    desc::Node node = coated_diffuse(layer, below.get("reflectance"), roughness);
-    node.set("coat_depth", layer.tau);
+    desc::Node node = coated_diffuse(layer, below.get("reflectance"), facets);
     node.set("bounces", 1);
     return node;
   }
-  if (below.is("conductor")) return metal_below(in, layer, below, roughness);
-  return blended_coat(in, layer, base, roughness);
+  if (below.is("conductor")) return metal_below(in, layer, below, facets);
+  return blended_coat(in, layer, base, facets);
 }
 
 }  // namespace
 
-desc::Node plastic(const BsdfInputs& in) { return plastic_of(in, 0.F); }
-
-desc::Node rough_plastic(const BsdfInputs& in) {
-  expect_ggx(in);
-  return plastic_of(in, in.number("roughness", 0.02F));
-}
-
-desc::Node smooth_coat(const BsdfInputs& in) { return coated(in, 0.F); }
-
-desc::Node rough_coat(const BsdfInputs& in) {
-  expect_ggx(in);
-  return coated(in, in.number("roughness", 0.02F));
-}
+desc::Node plastic(const BsdfInputs& in) { return plastic_of(in, {}); }
+desc::Node rough_plastic(const BsdfInputs& in) { return plastic_of(in, rough_facets(in)); }
+desc::Node smooth_coat(const BsdfInputs& in) { return coated(in, {}); }
+desc::Node rough_coat(const BsdfInputs& in) { return coated(in, rough_facets(in)); }
 
 }  // namespace ajar::tungsten

@@ -1,8 +1,8 @@
 #pragma once
 #include "import/tungsten/bsdf_models.h"
 
-/// Bsdfs with a dielectric layer on top, which is not among our materials: others stand in, with a
-/// warning, that reflect as much light on average (coat_optics.h).
+/// Bsdfs with a dielectric layer on top. On what is neither diffuse nor a metal a blend stands in,
+/// with a warning, that reflects as much light on average (coat_optics.h).
 namespace ajar::tungsten {
 
 desc::Node plastic(const BsdfInputs& in);

@@ -70,6 +70,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
       .add(SheetTransmission{{FacetModel::GgxSeparable, 0.3F, 0.1F}, 1.5F}, tint);
   begin("sheet of air").add(SheetTransmission{ggx(0.4F, 0.4F), 0.75F});
   begin("disney clearcoat").add(DisneyClearcoat{0.1F});
+  begin("flat clearcoat").add(DisneyClearcoat{0.05F, true});
   begin("mirror").add(Mirror{}, tint);
   begin("smooth glass").add(SmoothDielectric{white, white, 1.5F});
   begin("tinted smooth glass").add(SmoothDielectric{white, PackedSpectrum(tint), 0.7F});
@@ -86,10 +87,15 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
   begin("diffuse under a rough coat").add(CoatedDiffuse(tint, {1.8F, 0.4F}));
   begin("metal under a smooth coat").add(CoatedConductor{ggx(0.2F, 0.2F), gold, {1.5F, 0.F}});
   begin("metal under a rough coat").add(CoatedConductor{ggx(0.1F, 0.3F), gold, {1.3F, 0.3F}});
-  begin("smooth metal under a smooth coat").add(SmoothCoatedConductor{{gold, 1.5F, {}}});
+  begin("echo under a coat")
+      .add(CoatedConductorEcho(CoatedConductor{beckmann(0.4F, 0.4F), gold, {1.5F, 0.F}}));
+  begin("smooth metal under a smooth coat").add(SmoothCoatedConductor{{gold, {1.5F, 0.F}, {}}});
 
   begin("diffuse under an amber coat")
-      .add(CoatedDiffuse(tint, {1.5F, 0.F}, {Spectrum(0.1F, 0.3F, 1.F), 2}));
+      .add(CoatedDiffuse(tint, Coat(1.5F, 0.F, FacetModel::Ggx, CoatPass::Whole, 2),
+                         {Spectrum(0.1F, 0.3F, 1.F)}));
+  begin("diffuse under straight amber")
+      .add(CoatedDiffuse(tint, {1.5F, 0.F}, {Spectrum(0.1F, 0.3F, 1.F), true}));
   begin("full oren-nayar").add(FullOrenNayar(tint, 0.5F));
   for (const float alpha : {0.F, 0.3F}) {
     // White: what the varnish reflects must be missing below.
@@ -129,12 +135,27 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
     silver.add(RoughCoat{ggx(alpha, alpha), {1.5F}});
     silver.add(CoatedConductor{ggx(0.2F, 0.2F), ideal, {1.5F, alpha}});
   }
+  for (const CoatPass pass : {CoatPass::Single, CoatPass::Lossy}) {
+    const Coat coat(1.45F, 0.3F, FacetModel::BeckmannSeparable, pass);
+    const Microfacets facets(FacetModel::BeckmannSeparable, 0.3F, 0.3F);
+    Bsdf& paint = begin("paint under facets of kind " + std::to_string(static_cast<int>(pass)));
+    paint.add(RoughCoat{facets, {1.45F}});
+    paint.add(CoatedDiffuse(Spectrum(1.F), coat), Spectrum(0.5F));
+    paint.add(CoatedConductor{facets, gold, coat}, Spectrum(0.5F));
+  }
   Bsdf& varnish = begin("varnish");
   varnish.add(SmoothCoat{{1.5F}});
   varnish.add(CoatedDiffuse(tint, {1.5F, 0.F}));
-  Bsdf& lacquer = begin("lacquered metal");
-  lacquer.add(SmoothCoat{{1.5F}});
-  lacquer.add(CoatedConductor{ggx(0.2F, 0.2F), gold, {1.5F, 0.F}});
+  for (const float alpha : {0.02F, 0.2F, 0.6F}) {
+    Bsdf& lacquer = begin("lacquered metal of " + std::to_string(alpha));
+    const CoatedConductor under{
+        ggx(alpha, alpha),
+        alpha == 0.2F ? gold : ConductorFresnel(Spectrum(1e-4F), Spectrum(1e4F)),
+        {1.5F, 0.F}};
+    lacquer.add(SmoothCoat{{1.5F}});
+    lacquer.add(under);
+    lacquer.add(CoatedConductorEcho(under));
+  }
 
   Bsdf& plastic = begin("plastic");
   plastic.add(Lambert{}, tint * 0.5F);

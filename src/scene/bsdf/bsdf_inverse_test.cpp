@@ -69,7 +69,7 @@ TEST(BsdfInverse, FindsTheNumbersOfADirectionAndTheirDensity) {
   for (const char* name :
        {"lambert", "lambert transmission", "oren-nayar", "disney diffuse", "substrate 0.1",
         "ggx 0.1", "beckmann 0.15", "rough glass 0.15", "rough bubble 0.3", "disney clearcoat",
-        "plastic", "uber", "translucent", "disney"}) {
+        "echo under a coat", "plastic", "uber", "translucent", "disney"}) {
     EXPECT_TRUE(inverted.count(name)) << name;
   }
 }
@@ -85,7 +85,8 @@ TEST(BsdfInverse, OfDiffuseLobesAloneLeavesOutHighlights) {
       (found ? diffuse : others).insert(named.name);
     }
   }
-  for (const char* name : {"lambert", "lambert transmission", "oren-nayar", "disney diffuse"}) {
+  for (const char* name :
+       {"lambert", "lambert transmission", "oren-nayar", "disney diffuse", "echo under a coat"}) {
     EXPECT_TRUE(diffuse.count(name) && !others.count(name)) << name;
   }
   for (const char* name : {"substrate 0.1", "plastic"}) {

@@ -183,9 +183,11 @@ Lobe random_lobe(Rng& rng) {
   const ConductorFresnel metal(Spectrum(extreme(rng, 1e-5F, 1e5F)),
                                Spectrum(extreme(rng, 1e-9F, 1e5F)));
   const float coat_eta = extreme(rng, 1.F, 20.F);
-  const Coat coat{coat_eta, rng.next() < 0.5F ? 0.F : alpha};
+  const auto pass = static_cast<CoatPass>(rng.next() * 5.F);
+  const float coat_alpha = rng.next() < 0.5F ? 0.F : alpha;
+  const Coat coat(coat_eta, coat_alpha, model, pass, static_cast<int>(rng.next() * 3.F));
   constexpr std::size_t kLobes = std::variant_size_v<Lobe>;
-  static_assert(kLobes == 28, "each lobe has a case here");
+  static_assert(kLobes == 29, "each lobe has a case here");
   switch (static_cast<int>(rng.next() * static_cast<float>(kLobes))) {
     case 0:
       return Lambert{};
@@ -227,27 +229,29 @@ Lobe random_lobe(Rng& rng) {
     case 18:
       return RoughCoat{facets, {coat_eta}};
     case 19:
-      return CoatedDiffuse(a.unpack(), coat, {b.unpack(), static_cast<int>(rng.next() * 3.F)});
+      return CoatedDiffuse(a.unpack(), coat, {b.unpack(), rng.next() < 0.5F});
     case 20:
       return CoatedConductor{facets, metal, coat};
     case 21:
       return UnderVarnish<UnderGloss<SheenOverLambert>>{
           {{a.unpack(), b.unpack()}, {std::max(eta, 1.F), alpha, rng.next()}},
-          coat.alpha,
+          coat_alpha,
           rng.next()};
     case 22:
-      return UnderVarnish<DisneySpecular>{{facets, {a, rng.next(), eta}}, coat.alpha, rng.next()};
+      return UnderVarnish<DisneySpecular>{{facets, {a, rng.next(), eta}}, coat_alpha, rng.next()};
     case 23:
       return UnderVarnish<UnderGloss<LambertTransmission>>{
-          {{}, {std::max(eta, 1.F), alpha, rng.next()}}, coat.alpha, rng.next()};
+          {{}, {std::max(eta, 1.F), alpha, rng.next()}}, coat_alpha, rng.next()};
     case 24:
       return FullOrenNayar(a.unpack(), extreme(rng, 1e-4F, kPi / 2.F));
     case 25:
       return SheetTransmission{facets, eta};
     case 26:
       return DisneyGlassSpecular{facets, {{a, rng.next(), eta, rng.next()}, rng.next()}};
+    case 27:
+      return CoatedConductorEcho(CoatedConductor{facets, metal, coat});
     default:
-      return SmoothCoatedConductor{{metal, coat_eta, {}}};
+      return SmoothCoatedConductor{{metal, {coat_eta, 0.F}, {}}};
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/bsdf/coat_table.h"
 #include "scene/bsdf/fresnel_mirror.h"
 #include "scene/bsdf/microfacet_reflection.h"
 
@@ -19,44 +20,94 @@ struct CoatFresnel {
 using RoughCoat = MicrofacetReflection<CoatFresnel>;
 using SmoothCoat = FresnelMirror<CoatFresnel>;
 
-/// A coat as its base sees it. `alpha` is the roughness of its facets; 0 for a smooth one.
-struct Coat {
-  float eta = 1.5F;
-  float alpha = 0.F;
+/// How much light the facets of a rough coat let through to the base and back. Renderers differ.
+enum class CoatPass : std::uint8_t {
+  Whole,     ///< all that they do not reflect
+  Smooth,    ///< as much as a smooth coat does, or `Whole` where that is less
+  Single,    ///< by `coat_table::refracted`; what is not goes back to the base
+  Lossy,     ///< the same, with what comes back by `coat_table::mean_reflected_inside`
+  LossySum,  ///< the same by `coat_table::sum_reflected_inside`
+};
 
-  /// 1 − the directional albedo of the coat's own reflection, for the cosine of a direction
-  /// outside: Fresnel's term of a smooth coat, tabulated for rough ones (GGX, isotropic).
+/// A coat as its base sees it.
+class Coat {
+ public:
+  Coat() = default;
+  /// `alpha` is the roughness of its facets, 0 for a smooth one; `bounces` how often light may meet
+  /// the base, 0 for any number of times.
+  Coat(float eta, float alpha, FacetModel model = FacetModel::Ggx, CoatPass pass = CoatPass::Whole,
+       int bounces = 0)
+      : eta_(eta),
+        alpha_(packed_alpha(alpha)),
+        model_(model),
+        pass_(pass),
+        bounces_(static_cast<std::uint8_t>(bounces < 256 ? bounces : 0)) {}
+
+  float eta() const { return eta_; }
+  int bounces() const { return bounces_; }
+
+  /// Share of light that comes through, one way, at this cosine of the direction outside. Never
+  /// more than 1 − `reflectance`.
   float transmittance(float cosine) const;
   /// Mean of `transmittance` over a hemisphere, weighted by the cosine.
   float mean_transmittance() const;
+  /// Share of light that the coat's own facets reflect, outside.
+  float reflectance(float cosine) const;
+  /// Share of diffuse light inside that is turned back to the base.
+  float turned_back() const;
 
   /// Direction inside of the coat that `w` is refracted from, on the same side of the surface. Its
   /// cosine is written so that nothing cancels where both are small (η near 1, grazing angles).
   Vec3 inside(const Vec3& w) const {
-    return {w.x / eta, w.y / eta, std::copysign(std::sqrt(eta * eta - 1.F + w.z * w.z) / eta, w.z)};
+    return {w.x / eta_, w.y / eta_,
+            std::copysign(std::sqrt(eta_ * eta_ - 1.F + w.z * w.z) / eta_, w.z)};
   }
   /// dω inside / dω outside: cos θ / (η² cos θ').
   float solid_angle_ratio(const Vec3& outer, const Vec3& inner) const {
-    return std::abs(outer.z / inner.z) / (eta * eta);
+    return std::abs(outer.z / inner.z) / (eta_ * eta_);
   }
+  /// 1 + x + x² + …, as many terms as there are bounces.
+  float series(float x) const {
+    x = std::min(x, 1.F - 1e-6F);
+    const float terms = bounces_ > 0 ? 1.F - std::pow(x, static_cast<float>(bounces_)) : 1.F;
+    return terms / (1.F - x);
+  }
+
+ private:
+  /// α in steps of 1/65535, which is all that the tables tell apart; so that metals with their
+  /// coats stay small.
+  static std::uint16_t packed_alpha(float alpha) {
+    return alpha > 0.F ? static_cast<std::uint16_t>(std::ceil(std::min(alpha, 1.F) * 65535.F)) : 0;
+  }
+  float alpha() const { return static_cast<float>(alpha_) / 65535.F; }
+  RoughBoundary boundary() const { return {model_, eta_, alpha()}; }
+
+  float eta_ = 1.5F;
+  std::uint16_t alpha_ = 0;
+  FacetModel model_ : 2 = FacetModel::Ggx;
+  CoatPass pass_ : 3 = CoatPass::Whole;
+  std::uint8_t bounces_ = 0;
 };
 
-/// What happens to light between a coat and a diffuse base.
+/// How the medium of a coat weakens light.
 struct CoatInside {
   Spectrum depth{0.F};  ///< optical thickness of the coat, along the normal
-  int bounces = 0;      ///< off the base, at most; 0: any number
+  /// As if the coat bent nothing, and only on the ways in and out (Tungsten's plastics).
+  bool straight = false;
 };
 
 /// Diffuse base under a coat, with the reflections between the two: T(θ_o) T(θ_i) r (1 + x + x² +
 /// …) / (π η²), x = r F a², where F is what the coat reflects of diffuse light from inside and a
 /// what one way through it leaves of that. T is weakened by exp(−depth / cos θ'), θ' being the
-/// refracted angle. A white base gives all back that a clear coat lets through. Source: Wolff 1994,
-/// "Diffuse-reflectance model for smooth dielectric surfaces"; T of rough coats as above.
+/// refracted angle (but see `CoatInside`). A white base gives all back that a clear coat lets
+/// through. Source: Wolff 1994, "Diffuse-reflectance model for smooth dielectric surfaces"; T of
+/// rough coats as above.
 struct CoatedDiffuse {
   static constexpr bool kSpecular = false;
   PackedSpectrum base;  ///< r (1 + x + x² + …) / η²
   Coat coat;
   PackedSpectrum depth;
+  bool straight = false;
 
   CoatedDiffuse() = default;
   CoatedDiffuse(const Spectrum& reflectance, const Coat& above, const CoatInside& inside = {});
@@ -82,25 +133,32 @@ struct CoatedDiffuse {
   }
 
  private:
-  /// What the coat leaves on a way at this cosine.
+  /// What the coat leaves on a way at this cosine. Never nothing, so that no product of such is too
+  /// small for a float.
   Spectrum left(float cosine) const {
     const Spectrum thickness = depth.unpack();
     if (thickness.is_black()) return Spectrum(1.F);
-    return map_lanes(thickness, [=](float x) { return std::exp(-x / std::max(cosine, kGrazing)); });
+    constexpr float kBlack = 20.F;
+    return map_lanes(thickness, [=](float x) {
+      return std::exp(-std::min(x / std::max(cosine, kGrazing), kBlack));
+    });
   }
   Spectrum passed(const Vec3& w) const {
-    return left(std::abs(coat.inside(w).z)) * coat.transmittance(std::abs(w.z));
+    const float cosine = std::abs(straight ? w.z : coat.inside(w).z);
+    return left(cosine) * coat.transmittance(std::abs(w.z));
   }
 };
 
-/// Reflectance of a metal under a coat, all reflections between the two included if both are
-/// smooth: T(θ_o) T(θ_i) R / (1 − R F), with R the metal's term inside of the coat, and F the
-/// smaller of what the coat reflects of the two directions, so that no energy is gained.
-inline Spectrum coated_reflectance(const Spectrum& metal, float through_o, float through_i) {
-  const float reflected = 1.F - std::max(through_o, through_i);
-  return map_lanes(metal, [=](float r) {
-    return through_o * through_i * r / std::max(1.F - r * reflected, 1e-6F);
-  });
+/// Reflectance of a metal under a coat for the cosines of both directions outside, with the
+/// reflections between the two as if both were smooth: T(θ_o) T(θ_i) R (1 + x + x² + …), x = R F,
+/// with R the metal's term inside of the coat, and F the smaller of what the coat reflects of the
+/// two directions, so that no energy is gained.
+inline Spectrum coated_reflectance(const Spectrum& metal, const Coat& coat, float cos_o,
+                                   float cos_i) {
+  const float through = coat.transmittance(cos_o) * coat.transmittance(cos_i);
+  if (coat.bounces() == 1) return metal * through;
+  const float reflected = std::min(coat.reflectance(cos_o), coat.reflectance(cos_i));
+  return map_lanes(metal, [&](float r) { return through * r * coat.series(r * reflected); });
 }
 
 /// Rough metal under a coat: light is refracted, reflected off the metal's facets and refracted
@@ -135,8 +193,8 @@ struct CoatedConductor {
     const Vec3 h = facets.sample_visible(o, u.direction);
     const float cos_h = dot(o, h);
     const Vec3 i = h * (2.F * cos_h) - o;
-    const float x = i.x * coat.eta;
-    const float y = i.y * coat.eta;
+    const float x = i.x * coat.eta();
+    const float y = i.y * coat.eta();
     const float squared = 1.F - x * x - y * y;
     if (!(i.z > 0.F && cos_h > 0.F && squared > kGrazing * kGrazing)) return std::nullopt;
     const Vec3 outer_i(x, y, std::sqrt(squared));
@@ -166,9 +224,47 @@ struct CoatedConductor {
 
  private:
   Spectrum weight(const Vec3& wo, const Vec3& wi, float cos_h) const {
-    return coated_reflectance(fresnel(cos_h, true), coat.transmittance(std::abs(wo.z)),
-                              coat.transmittance(std::abs(wi.z)));
+    return coated_reflectance(fresnel(cos_h, true), coat, std::abs(wo.z), std::abs(wi.z));
   }
+};
+
+/// What `CoatedConductor` lacks under a smooth coat: light that a rough metal reflects to where the
+/// coat turns it back, most of it totally, and that comes out later. By then it is diffuse:
+/// X(θ_o) X(θ_i) c / π, where X is the share that is turned back at first, and c such that on
+/// average as much comes out as metal and coat leave of it. No direction gets more than the other
+/// lobe lacks. Source of the form: Kulla & Conty 2017, "Revisiting physically based shading at
+/// Imageworks".
+struct CoatedConductorEcho {
+  static constexpr bool kSpecular = false;
+  PackedSpectrum share;  ///< c
+  RoughBoundary below;   ///< the index of the coat and the facets of the metal
+
+  CoatedConductorEcho() = default;
+  /// The roughness of the metal is the mean of both.
+  explicit CoatedConductorEcho(const CoatedConductor& first);
+
+  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
+    if (transmission) return {};
+    return {share.unpack() * (returned(wo) * returned(wi) * cosine_pdf(wi)), cosine_pdf(wi),
+            cosine_pdf(wo)};
+  }
+  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
+                                   TransportMode mode) const {
+    const Vec3 wi = cosine_around(u.direction, ng);
+    const LobeValue v = evaluate(wo, wi, false, mode);
+    if (!(v.pdf > 0.F)) return std::nullopt;
+    return LobeSample{wi, v.value / v.pdf, v.pdf, v.reverse_pdf};
+  }
+  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
+    return cosine_inverse(wi, ng);
+  }
+  bool is_diffuse(const Vec3&, float) const { return true; }
+  Spectrum albedo(const Vec3& wo) const {
+    return share.unpack() * (returned(wo) * coat_table::mean_returned(below));
+  }
+
+ private:
+  float returned(const Vec3& w) const { return coat_table::returned(below, std::abs(w.z)); }
 };
 
 /// Index of refraction of varnish. Source: KHR_materials_clearcoat.
@@ -227,17 +323,16 @@ struct UnderVarnish {
 /// Both layers smooth: one mirror of what the coat and the metal below it reflect.
 struct CoatedConductorFresnel {
   ConductorFresnel metal;  ///< relative to the coat
-  float eta = 1.5F;        ///< of the coat
+  Coat coat;               ///< a smooth one
   PackedSpectrum depth;    ///< optical thickness of the coat, along the normal
-
   Spectrum operator()(float cos_i, bool /*front*/) const {
-    const DielectricBoundary boundary = fresnel_dielectric(cos_i, eta);
-    const float through = 1.F - boundary.reflectance;
+    const DielectricBoundary boundary = fresnel_dielectric(cos_i, coat.eta());
+    if (!(boundary.cos_t > 0.F)) return Spectrum(boundary.reflectance);
     const Spectrum left = map_lanes(depth.unpack(), [&](float x) {
       return x > 0.F ? std::exp(-2.F * x / boundary.cos_t) : 1.F;
     });
     return Spectrum(boundary.reflectance) +
-           coated_reflectance(metal(boundary.cos_t, true) * left, through, through);
+           coated_reflectance(metal(boundary.cos_t, true) * left, coat, cos_i, cos_i);
   }
 };
 using SmoothCoatedConductor = FresnelMirror<CoatedConductorFresnel>;

@@ -4,12 +4,14 @@
 namespace ajar {
 
 /// Thin glossy coat of Disney's model: distribution GTR1, Schlick's Fresnel term with R0 = 0.04,
-/// masking with the fixed α = 0.25, a quarter of the strength. Source: Burley 2012, appendix B;
-/// 2015.
+/// masking with the fixed α = 0.25, a quarter of the strength: f = D F G / (16 |cos θ_o| |cos
+/// θ_i|). Source: Burley 2012, appendix B; 2015.
 struct DisneyClearcoat {
   static constexpr bool kSpecular = false;
   float alpha = 0.1F;         ///< in (0, 1)
   bool is_one_sided = false;  ///< black from behind
+  /// f = D F G / 4, as Mitsuba 3 has it: brighter along the normal, darker at grazing angles.
+  bool flat = false;
 
   LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
     if (transmission || !same_hemisphere(wo, wi) || is_hidden(wo)) return {};
@@ -51,7 +53,9 @@ struct DisneyClearcoat {
 
   Spectrum albedo(const Vec3& wo) const {
     if (is_hidden(wo)) return {};
-    return Spectrum(0.25F * (0.04F + 0.96F * schlick_weight(std::abs(wo.z))));
+    const float cosine = std::abs(wo.z);
+    const float geometry = flat ? 4.F * cosine * cosine : 1.F;
+    return Spectrum(0.25F * geometry * (0.04F + 0.96F * schlick_weight(cosine)));
   }
 
  private:
@@ -69,9 +73,11 @@ struct DisneyClearcoat {
     const float density = (alpha2 - 1.F) / (kPi * std::log(alpha2) * spread);
     const float fresnel = 0.04F + 0.96F * schlick_weight(cos_d);
     const float pdf = density * cos_h / (4.F * cos_d);
+    const float cos_o = std::abs(wo.z);
     const float cos_i = std::abs(wi.z);
-    return {Spectrum(0.25F * density * fresnel * masking(std::abs(wo.z)) * masking(cos_i) * cos_i),
-            pdf, pdf};
+    const float strength = flat ? cos_o * cos_i : 0.25F;
+    return {Spectrum(strength * density * fresnel * masking(cos_o) * masking(cos_i) * cos_i), pdf,
+            pdf};
   }
 };
 

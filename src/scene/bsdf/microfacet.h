@@ -27,6 +27,7 @@ class Microfacets {
 
   float alpha_x() const { return alpha_x_; }
   float alpha_y() const { return alpha_y_; }
+  FacetModel model() const { return model_; }
 
   /// D(h), 1/sr: ∫ D(h) |cos θ_h| dh over a hemisphere is 1.
   float density(const Vec3& h) const {

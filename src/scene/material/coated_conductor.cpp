@@ -19,7 +19,11 @@ class CoatedConductorSurface final : public Material {
         roughness_(in),
         coat_eta_(in.slot("coat_eta")),
         coat_roughness_(in, "coat_roughness", "coat_roughness_v"),
-        depth_(in.slot("coat_depth")) {
+        depth_(in.slot("coat_depth")),
+        facets_(facet_model(in.node())),
+        coat_facets_(facet_model(in.node(), "coat_distribution")),
+        pass_(coat_pass(in.node())),
+        bounces_(in.node().integer("bounces")) {
     needs_tangent = !roughness_.isotropic() || !coat_roughness_.isotropic();
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
@@ -32,22 +36,28 @@ class CoatedConductorSurface final : public Material {
     const bool smooth_coat = is_smooth(coat_u, coat_v);
     const Spectrum depth = coat_depth(depth_, at);
     if (smooth_coat && is_smooth(u, v)) {
-      bsdf.add(SmoothCoatedConductor{{metal, eta, PackedSpectrum(depth)}}, scale);
+      const Coat coat(eta, 0.F, coat_facets_, pass_, bounces_);
+      bsdf.add(SmoothCoatedConductor{{metal, coat, PackedSpectrum(depth)}}, scale);
       return;
     }
-    Coat coat{eta, 0.F};
     if (smooth_coat) {
       bsdf.add(SmoothCoat{{eta}}, scale);
     } else {
-      bsdf.add(RoughCoat{{FacetModel::Ggx, coat_u, coat_v}, {eta}}, scale);
-      coat.alpha = std::sqrt(coat_u * coat_v);
+      bsdf.add(RoughCoat{{coat_facets_, coat_u, coat_v}, {eta}}, scale);
     }
-    const float blurred_u = blurred(u, smooth_coat ? 0.F : coat_u, eta);
-    const float blurred_v = blurred(v, smooth_coat ? 0.F : coat_v, eta);
-    bsdf.add(CoatedConductor{{FacetModel::Ggx, blurred_u, blurred_v}, metal, coat},
-             scale * map_lanes(depth, [&](float x) { return std::exp(-2.F * x * mean_way(eta)); }));
+    const float coat_alpha = smooth_coat ? 0.F : std::sqrt(coat_u * coat_v);
+    const bool blurs = !smooth_coat && pass_ != CoatPass::Smooth && pass_ != CoatPass::Single;
+    const float blurred_u = blurred(u, blurs ? coat_u : 0.F, eta);
+    const float blurred_v = blurred(v, blurs ? coat_v : 0.F, eta);
+    const CoatedConductor once{{facets_, blurred_u, blurred_v},
+                               metal,
+                               Coat(eta, coat_alpha, coat_facets_, pass_, bounces_)};
+    const Spectrum left =
+        scale * map_lanes(depth, [&](float x) { return std::exp(-2.F * x * mean_way(eta)); });
+    bsdf.add(once, left);
+    if (smooth_coat && bounces_ != 1) bsdf.add(CoatedConductorEcho(once), left);
   }
-  int max_lobes() const override { return 2; }
+  int max_lobes() const override { return bounces_ == 1 ? 2 : 3; }
 
  private:
   /// 1 / cos θ' on average over the cosine-weighted directions outside, θ' being the angle inside:
@@ -69,6 +79,10 @@ class CoatedConductorSurface final : public Material {
   TextureSlot coat_eta_;
   RoughnessSlot coat_roughness_;
   TextureSlot depth_;
+  FacetModel facets_;
+  FacetModel coat_facets_;
+  CoatPass pass_;
+  int bounces_;
 };
 
 }  // namespace
@@ -87,8 +101,14 @@ MaterialModel coated_conductor_material() {
                                          "roughness of the coat, or that along u", 1.0),
                 coat_depth_input(),
                 declare::textured_number("coat_roughness_v", "",
-                                         "along v; without it, the same in all directions", 1.0)}),
-           roughness_inputs("0"))},
+                                         "along v; without it, the same in all directions", 1.0),
+                choice_parameter("coat_distribution", {"ggx", "beckmann"},
+                                 "distribution of the normals of the coat's facets"),
+                coat_transmission_input(),
+                declare::integer("bounces", "0",
+                                 "how often light may meet the metal; 0: any number of times", 0,
+                                 1000)}),
+           declare::joined(facet_inputs(), roughness_inputs("0")))},
       make<CoatedConductorSurface>};
 }
 

@@ -9,15 +9,15 @@ class SchlickCoatedDiffuse final : public Material {
   explicit SchlickCoatedDiffuse(const MaterialInputs& in)
       : diffuse_(in.slot("diffuse_reflectance")),
         glossy_(in.slot("glossy_reflectance")),
-        roughness_(in) {
+        roughness_(in),
+        facets_(facet_model(in.node())) {
     needs_tangent = !roughness_.isotropic();
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
     const Spectrum kd = reflectance(diffuse_, at);
     const Spectrum ks = reflectance(glossy_, at);
     if (kd.is_black() && ks.is_black()) return;
-    bsdf.add(FresnelBlend{roughness_.facets(FacetModel::Ggx, at), PackedSpectrum(kd),
-                          PackedSpectrum(ks)},
+    bsdf.add(FresnelBlend{roughness_.facets(facets_, at), PackedSpectrum(kd), PackedSpectrum(ks)},
              scale);
   }
   int max_lobes() const override { return 1; }
@@ -26,6 +26,7 @@ class SchlickCoatedDiffuse final : public Material {
   TextureSlot diffuse_;
   TextureSlot glossy_;
   RoughnessSlot roughness_;
+  FacetModel facets_;
 };
 
 /// Diffuse base under a smooth or rough coat of a dielectric.
@@ -37,8 +38,11 @@ class DielectricCoatedDiffuse final : public Material {
         eta_(in.slot("eta")),
         roughness_(in),
         depth_(in.slot("coat_depth")),
+        facets_(facet_model(in.node())),
+        pass_(coat_pass(in.node())),
         bounces_(in.node().integer("bounces")),
-        is_white_inside_(in.node().text("inner_reflections") == "white") {
+        is_straight_(in.node().text("coat_ways") == "straight"),
+        inside_(in.node().text("inner_reflections")) {
     needs_tangent = !roughness_.isotropic();
   }
   void add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& bsdf) const override {
@@ -51,16 +55,18 @@ class DielectricCoatedDiffuse final : public Material {
     if (smooth) {
       bsdf.add(SmoothCoat{{eta}}, gloss);
     } else {
-      bsdf.add(RoughCoat{{FacetModel::Ggx, u, v}, {eta}}, gloss);
+      bsdf.add(RoughCoat{{facets_, u, v}, {eta}}, gloss);
     }
-    const Coat coat{eta, smooth ? 0.F : std::sqrt(u * v)};
+    const Coat coat(eta, smooth ? 0.F : std::sqrt(u * v), facets_, pass_, bounces_);
     const Spectrum base = reflectance(diffuse_, at);
-    const CoatInside inside{coat_depth(depth_, at), bounces_};
-    if (is_white_inside_) {
-      bsdf.add(CoatedDiffuse(Spectrum(1.F), coat, inside), scale * base);
-    } else {
+    const CoatInside inside{coat_depth(depth_, at), is_straight_};
+    if (inside_ == "base") {
       bsdf.add(CoatedDiffuse(base, coat, inside), scale);
+      return;
     }
+    // Two windows are two ways through the coat; what comes through one fills the hemisphere again.
+    const float windows = inside_ == "windows" ? coat.mean_transmittance() : 1.F;
+    bsdf.add(CoatedDiffuse(Spectrum(1.F), coat, inside), scale * base * windows);
   }
   int max_lobes() const override { return 2; }
 
@@ -70,8 +76,11 @@ class DielectricCoatedDiffuse final : public Material {
   TextureSlot eta_;
   RoughnessSlot roughness_;
   TextureSlot depth_;
+  FacetModel facets_;
+  CoatPass pass_;
   int bounces_;
-  bool is_white_inside_;
+  bool is_straight_;
+  std::string inside_;
 };
 
 std::unique_ptr<Material> make_coated_diffuse(const MaterialInputs& in) {
@@ -104,15 +113,22 @@ MaterialModel coated_diffuse_material() {
             declare::only_for("coat", {"dielectric"}, coat_depth_input()),
             declare::only_for(
                 "coat", {"dielectric"},
+                choice_parameter("coat_ways", {"refracted", "straight"},
+                                 "ways of light through what absorbs: those of refracted light, "
+                                 "between bounces as well; or straight on, in and out only")),
+            declare::only_for("coat", {"dielectric"}, coat_transmission_input()),
+            declare::only_for(
+                "coat", {"dielectric"},
                 declare::integer("bounces", "0",
                                  "how often light may meet the base; 0: any number of times", 0,
                                  1000)),
             declare::only_for(
                 "coat", {"dielectric"},
-                choice_parameter("inner_reflections", {"base", "white"},
-                                 "what light meets that the coat turns back: the base, or a "
-                                 "white one, so that its colour does not deepen"))},
-           roughness_inputs("0.1"))},
+                choice_parameter("inner_reflections", {"base", "white", "windows"},
+                                 "what light meets that the coat turns back: the base; a white "
+                                 "one, so that its colour does not deepen; or nothing, but it "
+                                 "comes through as often as it goes in: two windows"))},
+           declare::joined(facet_inputs(), roughness_inputs("0.1")))},
       make_coated_diffuse};
 }
 

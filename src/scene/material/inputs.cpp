@@ -40,6 +40,23 @@ ParameterSpec coat_depth_input() {
       "coat_depth", "0", "optical thickness of the coat, along the normal: how much it absorbs");
 }
 
+ParameterSpec coat_transmission_input() {
+  return choice_parameter(
+      "coat_transmission", {"whole", "smooth", "single", "lossy", "lossy_sum"},
+      "how much light a rough coat lets through: all that it does not reflect; as much as a smooth "
+      "one; only what meets one facet, while the rest is turned back to the base; or is lost, "
+      "inside as well; or so, by the sum that Mitsuba 3 takes inside. Smooth and single ones do "
+      "not blur what is below");
+}
+
+CoatPass coat_pass(const desc::Node& node) {
+  const std::string& name = node.text("coat_transmission");
+  if (name == "smooth") return CoatPass::Smooth;
+  if (name == "single") return CoatPass::Single;
+  if (name == "lossy") return CoatPass::Lossy;
+  return name == "lossy_sum" ? CoatPass::LossySum : CoatPass::Whole;
+}
+
 ParameterSpec index_input() {
   return declare::textured_number("eta", "1.5", "index of refraction inside, relative to outside",
                                   20.0);
@@ -69,9 +86,9 @@ std::vector<ParameterSpec> facet_inputs(std::vector<std::string> others) {
                        "alone, which is darker at grazing angles")};
 }
 
-FacetModel facet_model(const desc::Node& node) {
+FacetModel facet_model(const desc::Node& node, std::string_view distribution) {
   const bool is_separable = node.text("masking") == "separable";
-  if (node.text("distribution") == "beckmann") {
+  if (node.text(distribution) == "beckmann") {
     return is_separable ? FacetModel::BeckmannSeparable : FacetModel::Beckmann;
   }
   return is_separable ? FacetModel::GgxSeparable : FacetModel::Ggx;

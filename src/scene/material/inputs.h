@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/bsdf/coat.h"
 #include "scene/bsdf/microfacet.h"
 #include "scene/material/registry.h"
 
@@ -40,6 +41,9 @@ class MaterialInputs {
 ParameterSpec index_input();
 /// "coat_depth", what `coat_depth` reads.
 ParameterSpec coat_depth_input();
+/// "coat_transmission", what `coat_pass` reads.
+ParameterSpec coat_transmission_input();
+CoatPass coat_pass(const desc::Node& node);
 /// "roughness" and "roughness_scale".
 std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value);
 /// "roughness", "roughness_v" and "roughness_scale".
@@ -47,7 +51,8 @@ std::vector<ParameterSpec> roughness_inputs(std::string value);
 
 /// "distribution", with `others` beside those of facets, and "masking": what `facet_model` reads.
 std::vector<ParameterSpec> facet_inputs(std::vector<std::string> others = {});
-FacetModel facet_model(const desc::Node& node);
+/// Of a layer whose distribution has a name of its own; "masking" is common to all.
+FacetModel facet_model(const desc::Node& node, std::string_view distribution = "distribution");
 
 /// `x` in [low, high]; NaN becomes `low`.
 inline float within(float x, float low, float high) { return x > low ? std::min(x, high) : low; }

@@ -115,7 +115,7 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   const float clearcoat = weight(clearcoat_, at);
   if (clearcoat > 0.F) {
     const float alpha = mix(0.1F, 0.001F, weight(clearcoat_gloss_, at));
-    bsdf.add(DisneyClearcoat{alpha, has_inside_}, scale * clearcoat);
+    bsdf.add(DisneyClearcoat{alpha, has_inside_, !is_twice()}, scale * clearcoat);
   }
   if (p.transmission > 0.F) add_transmission(p, scale, bsdf);
   if (thin_) {
@@ -232,8 +232,9 @@ MaterialModel principled_material() {
                 "shares of metal and dielectric: once, where a share of a thin sheet, "
                 "specular_transmission, is clear and glossy, without bending, and the rest is "
                 "diffuse; or twice, for the metal's colour, where flatness is for thin sheets only "
-                "and spares retro-reflection, sheen is on what is opaque, metal refracts, and all "
-                "of a sheet is glossy; or in layers that take their light from those below, with "
+                "and spares retro-reflection, sheen is on what is opaque, metal refracts, all of a "
+                "sheet is glossy, and the clearcoat is Burley's, not the flat one of Mitsuba 3; or "
+                "in layers that take their light from those below, with "
                 "an even base"),
             declare::textured_number("metallic", "0", "from dielectric to metal", 1.0),
             index_input(),
