@@ -3,7 +3,7 @@ foreach(room api api_c import session study study_report)
   ajar_compile_quickly(ajar_${room}_test)
 endforeach()
 # They write the images that they read.
-target_link_libraries(ajar_core_test PRIVATE ZLIB::ZLIB PNG::PNG OpenImageIO::OpenImageIO)
+target_link_libraries(ajar_core_test PRIVATE ZLIB::ZLIB PNG::PNG OpenEXR::OpenEXR OpenImageIO::OpenImageIO)
 target_link_libraries(ajar_image_test PRIVATE OpenImageIO::OpenImageIO)
 target_link_libraries(ajar_scene_test PRIVATE OpenImageIO::OpenImageIO)
 foreach(room core image scene import)
