@@ -30,7 +30,7 @@ TEST(InverseProbability, WithADiscountIsThatOfEitherOfTwo) {
   constexpr double kOther = 0.05;
   for (const double probability : {1.0, 0.14, 0.03, 0.001, 0.0}) {
     Moments counted;
-    for (std::uint64_t i = 0; i < 200000; ++i) {
+    for (std::uint64_t i = 0; i < 50000; ++i) {
       const auto succeeds = [&](std::uint64_t number) {
         return to_unit_double(hash_numbers(4, i, number)) < probability;
       };
@@ -49,7 +49,7 @@ TEST(InverseProbability, WithADiscountStandsRoulette) {
   constexpr double kOther = 0.02;
   constexpr double kProbability = 0.01;
   Moments counted;
-  for (std::uint64_t i = 0; i < 1000000; ++i) {
+  for (std::uint64_t i = 0; i < 300000; ++i) {
     const auto succeeds = [&](std::uint64_t number) {
       return to_unit_double(hash_numbers(5, i, number)) < kProbability;
     };
