@@ -150,12 +150,16 @@ void join_by_manifolds(const Scene& scene, std::uint32_t tries, Tiles& joined,
 
 TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
   const auto scene = test::scene_from(GetParam().text);
+  const SpecularPhotons photons(*scene);
+  const PathBounds bounds = test::path_sample_bounds(*scene);
+  ManifoldSeeds seeds(*scene, photons, bounds, kTries);
   Tiles hits(*scene);
   test::for_samples(
-      *scene, 150000, [&](std::uint32_t /*sample*/, const std::vector<test::WeightedPath>& paths) {
+      *scene, 150000, [&](std::uint32_t sample, const std::vector<test::WeightedPath>& paths) {
         for (const test::WeightedPath& weighted : paths) {
           if (!is_hit_only(weighted.path)) continue;
-          const double share = ManifoldSeeds::hit_share(*scene, weighted.path, kTries);
+          const auto edges = static_cast<std::uint64_t>(weighted.path.depth());
+          const double share = seeds.hit_share(weighted.path, hash_numbers(78, sample, edges));
           hits.add(weighted.path, weighted.weight * (1.0 - share));
         }
         hits.end_sample();
@@ -170,6 +174,30 @@ TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
   const Moments& all = hits.moments().back();
   EXPECT_LT(5.0 * error_of_difference(all, joined.moments().back()), 0.2 * all.mean())
       << "too noisy to notice what it is for";
+}
+
+/// A seed counts for many guesses if its chain is hard to find. But where a ray may run into the
+/// lamp, it counts for no more than such a ray does.
+TEST(ManifoldSeeds, OutshineNoRayThatRunsIntoTheLamp) {
+  const auto scene = test::scene_from(over_water(test::lamp_over_floor() + waves()));
+  const SpecularPhotons photons(*scene);
+  const PathBounds bounds = test::path_sample_bounds(*scene);
+  ManifoldSeeds seeds(*scene, photons, bounds, kTries);
+  int found = 0;
+  double most = 0.0;
+  for (std::uint32_t i = 0; i < 20000; ++i) {
+    IndependentSource source({9, i, 9, i});
+    const Vec2 raster =
+        bounds.area.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+    for (const ManifoldSeeds::Seed& seed : seeds.sample(source, raster, hash_numbers(79, i))) {
+      ++found;
+      ASSERT_GT(seed.least_hit_share, 0.0);
+      most = std::max(most, seeds.inverse_chance(seed) * seed.least_hit_share);
+    }
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_GT(most, 0.5) << "no chain is so hard to find that it matters";
+  EXPECT_LT(most, 1.0 + 1e-6);
 }
 
 /// A lamp without extent, and one that is as good as the same.
@@ -252,7 +280,7 @@ TEST(ManifoldConnection, CountsGuessesByTheChanceToFindAChain) {
       ++chains;
       Moments guesses;
       for (std::uint64_t i = 0; i < 400; ++i) {
-        guesses.add(connection.inverse_chance(ends, found.chain, hash_numbers(6, i)));
+        guesses.add(connection.inverse_chance(ends, found.chain, 1.0, hash_numbers(6, i)));
       }
       const double error =
           std::hypot(guesses.standard_error() * chance, 1.0 / std::sqrt(found.times));

@@ -135,6 +135,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"session/preview/tev_packets.cpp",
        {"numbers of a protocol", {"kCreateImage", "kUpdateImage"}}},
       {"session/render_setup.h", {"defaults of parameters", {"kDefaultSamples", "kReplicates"}}},
+      {"mcmc/path_space/inverse_probability.h", {"precision of a type", {"kNegligible"}}},
       {"mcmc/path_space/manifold_connection.cpp", {"rounding", {"kRounding"}}},
       {"mcmc/path_space/specular_photons.cpp", {"bits of an integer", {"kLevels", "kCells"}}},
       {"mcmc/path_space/perturbation_law.h", {"rounding", {"kRounding"}}},

@@ -13,8 +13,10 @@ namespace ajar {
 
 // ---------------------------------------------------------------- Lot
 
-void PathSeeds::Lot::begin_sample(const Vec2& raster, std::optional<double> place) {
+void PathSeeds::Lot::begin_sample(const Vec2& raster, std::uint64_t key,
+                                  std::optional<double> place) {
   begin(raster);
+  key_ = key;
   total = 0.0;
   chosen.reset();
   place_ = place;
@@ -46,7 +48,9 @@ bool PathSeeds::Lot::wants(const Contribution& contribution) {
 void PathSeeds::Lot::record(const Path& path, const Contribution& contribution) {
   double brought = brings(contribution);
   if (contribution.hit_only && seeds_.by_manifolds_) {
-    brought *= ManifoldSeeds::hit_share(scene(), path, seeds_.manifold_tries_);
+    brought *= seeds_.manifolds_.hit_share(
+        path,
+        hash_numbers(key_, RandomUse::ManifoldSeed, static_cast<std::uint64_t>(path.depth())));
   }
   add_path(path, brought);
 }
@@ -83,14 +87,16 @@ double PathSeeds::log_light(const Path& path) {
 
 void PathSeeds::sample(SampleSource& numbers, std::optional<double> place) {
   const Vec2 raster = view_.raster(numbers.get_pair({Stream::Camera, 0, kEmissionDirection}));
-  lot_.begin_sample(raster, place);
+  const Vec2 bits = numbers.get_pair({Stream::Connection, 0, Slot::LightPositionX});
+  const std::uint64_t key =
+      hash_numbers(std::bit_cast<std::uint32_t>(bits.x), RandomUse::ManifoldSeed,
+                   std::bit_cast<std::uint32_t>(bits.y));
+  lot_.begin_sample(raster, key, place);
   if (traces_light_alone(group_.sampler)) sampler_.sample_light(numbers, lot_);
   sampler_.sample(numbers, raster, lot_);
   const float lot = numbers.get({Stream::Connection, 0, Slot::Roulette});
   if (by_manifolds_ && !lot_.has_chosen() && double{lot} < manifold_tries_) {
-    const Vec2 bits = numbers.get_pair({Stream::Connection, 0, Slot::LightPositionX});
-    add_manifolds(hash_numbers(std::bit_cast<std::uint32_t>(bits.x), RandomUse::ManifoldSeed,
-                               std::bit_cast<std::uint32_t>(bits.y)));
+    add_manifolds(key);
   }
   count_rays();
 }

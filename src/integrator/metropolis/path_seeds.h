@@ -59,8 +59,9 @@ class PathSeeds final : public PathTarget {
    public:
     explicit Lot(PathSeeds& seeds)
         : PathRecorder(seeds.scene_, seeds.group_.sampler), seeds_(seeds) {}
-    /// A sample begins. `place`: of the sum; empty if no path is to be chosen.
-    void begin_sample(const Vec2& raster, std::optional<double> place);
+    /// A sample begins. `key` names the randomness that is left for its paths. `place`: of the
+    /// sum; empty if no path is to be chosen.
+    void begin_sample(const Vec2& raster, std::uint64_t key, std::optional<double> place);
     void add_path(const Path& path, double brings);
     bool chooses() const { return place_.has_value(); }
     bool has_chosen() const { return place_ && total > *place_; }
@@ -76,6 +77,7 @@ class PathSeeds final : public PathTarget {
 
     PathSeeds& seeds_;
     std::optional<double> place_;
+    std::uint64_t key_ = 0;
   };
 
   void sample(SampleSource& numbers, std::optional<double> place);

@@ -53,8 +53,8 @@ class ChainRecruits::Sink final : public StrongPathSink {
     recruit.scalar = chain ? chain->chain().scalar : 0.0;
     // Rounding may have moved the path off an edge.
     if (!(*recruit.scalar > 0.0 && std::isfinite(*recruit.scalar))) return false;
-    recruits_.share_with_manifolds(recruit, *chain);
-    recruits_.keep(std::move(recruit));
+    recruits_.share_with_manifolds(recruit, *chain, counters_);
+    if (recruit.path.energy != 0.0) recruits_.keep(std::move(recruit));
     return true;
   }
 
@@ -68,11 +68,16 @@ double ChainRecruits::evaluate(const Recruit& recruit, RayCounts& rays) const {
   return chain ? chain->chain().scalar : 0.0;
 }
 
-void ChainRecruits::share_with_manifolds(Recruit& recruit, const SelectiveChain& chain) const {
-  if (!recruit.path.hit_only || !PathSeeds::has_manifolds(plan_.group_of(recruit.path))) return;
-  const Path& path = std::get<PathChain>(chain.state).path;
+void ChainRecruits::share_with_manifolds(Recruit& recruit, const SelectiveChain& chain,
+                                         RayCounts& rays) const {
+  const PathGroup& group = plan_.group_of(recruit.path);
+  if (!recruit.path.hit_only || !PathSeeds::has_manifolds(group)) return;
+  const PathBounds bounds{plan_.view, group.sampler.min_depth, group.sampler.max_depth};
+  ManifoldSeeds manifolds(plan_.scene, *group.photons, bounds, SelectiveHeuristics::kManifoldTries);
   recruit.path.energy *=
-      ManifoldSeeds::hit_share(plan_.scene, path, SelectiveHeuristics::kManifoldTries);
+      manifolds.hit_share(std::get<PathChain>(chain.state).path,
+                          hash_numbers(recruit.path.key(), RandomUse::ManifoldSeed));
+  rays.add_rays(manifolds.ray_counts());
 }
 
 std::unique_ptr<StrongPathSink> ChainRecruits::make(Film& /*film*/, Counters& counters) const {

@@ -76,7 +76,7 @@ class ChainRecruits final : public StrongPathSinks {
   /// I of a chain that starts there; 0 if none can.
   double evaluate(const Recruit& recruit, RayCounts& rays) const;
   /// A recruit's energy without what manifold connections find of its path.
-  void share_with_manifolds(Recruit& recruit, const SelectiveChain& chain) const;
+  void share_with_manifolds(Recruit& recruit, const SelectiveChain& chain, RayCounts& rays) const;
   void set_grain(double per_sample, double camera_samples);
   /// By replicate, for camera samples `first` to `last` per pixel.
   std::vector<RecruitStretch> stretches(std::uint64_t first, std::uint64_t last) const;

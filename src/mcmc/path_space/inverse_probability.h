@@ -14,15 +14,21 @@ struct CountingRoulette {
   double goes_on;      ///< probability; below ½, else what hardly ever succeeds takes without end
 };
 
-/// 1 over the probability with which `succeeds(i)` does, i counting independent tries from 1: the
+/// 1 over the probability P with which `succeeds(i)` does, i counting independent tries from 1: the
 /// mean, over `lots` too, of the tries it takes. 0 if roulette ends the count, more than the tries
-/// if it does not.
+/// if it does not. With a `discount` d below 1 try j counts d^(j − 1) only, and the mean is
+/// 1/(1 − d + d P), however small P is; what is beyond the precision of a float is not tried.
 template <typename Succeeds>
-double inverse_probability(const Succeeds& succeeds, const CountingRoulette& roulette,
-                           std::uint64_t lots) {
+double inverse_probability(const Succeeds& succeeds, double discount,
+                           const CountingRoulette& roulette, std::uint64_t lots) {
+  constexpr double kNegligible = 0x1p-24;
   double worth = 1.0;
+  double count = 0.0;
+  double weight = 1.0;
   for (std::uint64_t tries = 1;; ++tries) {
-    if (succeeds(tries)) return worth * static_cast<double>(tries);
+    count += weight;
+    weight *= discount;
+    if (succeeds(tries) || weight < kNegligible) return worth * count;
     if (tries < roulette.sure || !std::has_single_bit(tries)) continue;
     if (to_unit_double(hash_numbers(lots, tries)) >= roulette.goes_on) return 0.0;
     worth /= roulette.goes_on;

@@ -129,12 +129,12 @@ bool ManifoldConnection::find(const Ends& ends, std::uint64_t key) {
 }
 
 double ManifoldConnection::inverse_chance(const Ends& ends, std::span<const InnerVertex> chain,
-                                          std::uint64_t key) {
+                                          double discount, std::uint64_t key) {
   const KnownChain known(scene_, chain_start(ends.light, ends.point).end, chain, ends.seen.p());
   const auto finds_it = [&](std::uint64_t guess) {
     return find(ends, hash_numbers(key, guess)) && known.is(walk_);
   };
-  return inverse_probability(finds_it,
+  return inverse_probability(finds_it, discount,
                              {PathSpaceHeuristics::kSureGuesses, PathSpaceHeuristics::kGuessesGoOn},
                              hash_numbers(key, 0));
 }

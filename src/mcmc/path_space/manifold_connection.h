@@ -33,10 +33,12 @@ class ManifoldConnection {
   bool find(const Ends& ends, std::uint64_t key);
   /// What was found, in the order from the light, until it is asked again.
   std::span<const InnerVertex> chain() const { return walk_.vertices(); }
-  /// How many guesses find `chain`, which must be clear: 1 over the probability on average. By
-  /// other randomness of `key` than `find`. Long counts are up to Russian roulette: 0 if it ends
-  /// one, and more than the guesses if it does not.
-  double inverse_chance(const Ends& ends, std::span<const InnerVertex> chain, std::uint64_t key);
+  /// How many guesses find `chain`, which must be clear, each counting `discount` times what the
+  /// one before does: `inverse_probability` of the chance to find it. By other randomness of `key`
+  /// than `find`. Long counts are up to Russian roulette: 0 if it ends one, and more than the
+  /// guesses if it does not.
+  double inverse_chance(const Ends& ends, std::span<const InnerVertex> chain, double discount,
+                        std::uint64_t key);
 
   /// Whether the chain from the light of a path to vertex `seen` is clear of others: whether walks
   /// could tell it from one that is near. At the borders of caustics, where two become one, it is

@@ -48,7 +48,7 @@ double balance(double log_first, double log_other) {
 
 }  // namespace
 
-double ManifoldSeeds::hit_share(const Scene& scene, const Path& path, double tries) {
+double ManifoldSeeds::least_hit_share(const Scene& scene, const Path& path, double tries) {
   const int seen = first_rough_from_light(path);
   if (seen == path.depth() || seen == 1) return 1.0;
   const double join = log_join_pdf(scene, path, seen);
@@ -56,7 +56,7 @@ double ManifoldSeeds::hit_share(const Scene& scene, const Path& path, double tri
 }
 
 bool ManifoldSeeds::finds(const Scene& scene, const Path& path) {
-  return is_hit_only(path) && hit_share(scene, path, 1.0) < 1.0;
+  return is_hit_only(path) && least_hit_share(scene, path, 1.0) < 1.0;
 }
 
 std::span<const ManifoldSeeds::Seed> ManifoldSeeds::sample(SampleSource& source, const Vec2& raster,
@@ -96,18 +96,27 @@ void ManifoldSeeds::join(SampleSource& source, std::uint64_t key) {
   const double joined = log_join_pdf(scene_, path, vertex);
   if (!std::isfinite(joined)) return;
   const double hit = log_hit_pdf(scene_, path, vertex);
-  const double log_factor = std::log(balance(joined + std::log(tries_), hit)) - joined -
-                            log_camera_pdf(scene_, path, vertex);
-  seeds_.push_back({std::move(path), log_factor, key});
+  const double tried = joined + std::log(tries_);
+  const double log_factor =
+      std::log(balance(tried, hit)) - joined - log_camera_pdf(scene_, path, vertex);
+  seeds_.push_back({std::move(path), log_factor, balance(hit, tried), key});
 }
 
 double ManifoldSeeds::inverse_chance(const Seed& seed) {
-  const Path& path = seed.path;
+  return inverse_chance(seed.path, seed.least_hit_share, seed.key);
+}
+
+double ManifoldSeeds::hit_share(const Path& path, std::uint64_t key) {
+  const double least = least_hit_share(scene_, path, tries_);
+  return least < 1.0 ? least * inverse_chance(path, least, key) : 1.0;
+}
+
+double ManifoldSeeds::inverse_chance(const Path& path, double least_hit_share, std::uint64_t key) {
   const int vertex = first_rough_from_light(path);
   const int camera_vertices = path.depth() + 1 - vertex;
   return connection_.inverse_chance(
       {*path.light, path.light_point, path.vertex(vertex), bounds_.max_depth - camera_vertices},
-      chain_from_light(path, 0, vertex), seed.key);
+      chain_from_light(path, 0, vertex), 1.0 - least_hit_share, key);
 }
 
 RayCounts ManifoldSeeds::ray_counts() const {

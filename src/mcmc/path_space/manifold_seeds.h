@@ -26,22 +26,26 @@ class ManifoldSeeds {
 
   /// A path, and ln of what its f is to be multiplied by, so that the sum over all that one try
   /// makes, each times what `inverse_chance` says, has the mean ∫ f · (1 − w) at this place of the
-  /// film: w is `hit_share`. `key` names the randomness that is left for that.
+  /// film: w is the mean of `hit_share`. `key` names the randomness that is left for that.
   struct Seed {
     Path path;
     double log_factor;
+    double least_hit_share;
     std::uint64_t key;
   };
   /// All that a try at this place makes; valid until the next one.
   std::span<const Seed> sample(SampleSource& source, const Vec2& raster, std::uint64_t key);
-  /// 1 over the probability with which the chain at the light of a seed is found between its ends:
-  /// on average.
+  /// On average 1/(w₀ + (1 − w₀) P), P being the probability with which the chain at the light of a
+  /// seed is found between its ends, and w₀ its `least_hit_share`.
   double inverse_chance(const Seed& seed);
+  /// On average the MIS weight w = w₀/(w₀ + (1 − w₀) P), by the balance heuristic, of running into
+  /// the light as against this. P is known to no one: it is told by guesses, whose randomness `key`
+  /// names. 1 for paths that are not of the kind.
+  double hit_share(const Path& path, std::uint64_t key);
 
-  /// The MIS weight, by the balance heuristic, of running into the light as against `tries` of
-  /// this: a function of the path alone, of which the chance to find the chain is no part. 1 for
-  /// paths that are not of the kind.
-  static double hit_share(const Scene& scene, const Path& path, double tries);
+  /// w₀: what that weight would be, as against `tries` of this, if the chain were certain to be
+  /// found. A function of the path alone.
+  static double least_hit_share(const Scene& scene, const Path& path, double tries);
   /// Whether this can find the path.
   static bool finds(const Scene& scene, const Path& path);
 
@@ -49,6 +53,7 @@ class ManifoldSeeds {
 
  private:
   void join(SampleSource& source, std::uint64_t key);
+  double inverse_chance(const Path& path, double least_hit_share, std::uint64_t key);
 
   const Scene& scene_;
   const PathBounds& bounds_;
