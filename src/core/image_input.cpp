@@ -49,7 +49,7 @@ std::string beginning_of(const std::string& path) {
 }
 
 /// A little-endian number of `count` bytes; 0 beyond the end.
-std::uint64_t number_at(std::string_view bytes, std::size_t place, std::size_t count) {
+std::uint64_t little_endian_at(std::string_view bytes, std::size_t place, std::size_t count) {
   std::uint64_t number = 0;
   for (std::size_t i = 0; i < count && place + i < bytes.size(); ++i) {
     number |= std::uint64_t{static_cast<unsigned char>(bytes[place + i])} << (8 * i);
@@ -63,18 +63,19 @@ std::optional<Claim> claim_of_webp(std::string_view bytes) {
   if (bytes.starts_with("RIFF")) {
     if (bytes.size() < 30 || !bytes.substr(8).starts_with("WEBP")) return std::nullopt;
     if (bytes.substr(12).starts_with("VP8X")) {
-      return Claim{{number_at(bytes, 24, 3) + 1, number_at(bytes, 27, 3) + 1},
+      return Claim{{little_endian_at(bytes, 24, 3) + 1, little_endian_at(bytes, 27, 3) + 1},
                    packing::kVp8Lossless};
     }
     bytes.remove_prefix(20);
   }
   if (bytes.size() < 10) return std::nullopt;
   if (bytes.starts_with("\x2f")) {
-    const std::uint64_t sides = number_at(bytes, 1, 4);
+    const std::uint64_t sides = little_endian_at(bytes, 1, 4);
     return Claim{{(sides & 0x3fffU) + 1, (sides >> 14U & 0x3fffU) + 1}, packing::kVp8Lossless};
   }
   if (!bytes.substr(3).starts_with("\x9d\x01\x2a")) return std::nullopt;
-  return Claim{{number_at(bytes, 6, 2) & 0x3fffU, number_at(bytes, 8, 2) & 0x3fffU}, packing::kVp8};
+  return Claim{{little_endian_at(bytes, 6, 2) & 0x3fffU, little_endian_at(bytes, 8, 2) & 0x3fffU},
+               packing::kVp8};
 }
 
 /// What formats claim whose decoders make the whole picture when they are opened: those have to be
@@ -84,10 +85,11 @@ std::optional<Claim> early_claim(std::string_view bytes) {
     return bytes.size() >= place && bytes.substr(place).starts_with(text);
   };
   // The decoder does not mind the version that follows.
-  if (has("GIF", 0)) return Claim{{number_at(bytes, 6, 2), number_at(bytes, 8, 2)}, packing::kLzw};
-  if (has("BM", 0) && number_at(bytes, 14, 4) >= 40) {
+  if (has("GIF", 0))
+    return Claim{{little_endian_at(bytes, 6, 2), little_endian_at(bytes, 8, 2)}, packing::kLzw};
+  if (has("BM", 0) && little_endian_at(bytes, 14, 4) >= 40) {
     const auto side = [&](std::size_t place) {
-      const auto value = static_cast<std::int32_t>(number_at(bytes, place, 4));
+      const auto value = static_cast<std::int32_t>(little_endian_at(bytes, place, 4));
       return static_cast<std::uint64_t>(std::abs(std::int64_t{value}));
     };
     constexpr double kSkips = 255.0 * 255.0 / 4.0;  // rows and columns that four bytes leave out

@@ -6,7 +6,7 @@
 namespace ajar::mitsuba {
 namespace {
 
-constexpr std::array<MaterialPlugin, 26> kPlugins = {{{"diffuse", make_diffuse},
+constexpr std::array<MaterialPlugin, 27> kPlugins = {{{"diffuse", make_diffuse},
                                                       {"roughdiffuse", make_rough_diffuse},
                                                       {"difftrans", make_diffuse_transmitter},
                                                       {"principled", make_principled},

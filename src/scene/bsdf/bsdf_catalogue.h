@@ -70,7 +70,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
       .add(SheetTransmission{{FacetModel::GgxSeparable, 0.3F, 0.1F}, 1.5F}, tint);
   begin("sheet of air").add(SheetTransmission{ggx(0.4F, 0.4F), 0.75F});
   begin("disney clearcoat").add(DisneyClearcoat{0.1F});
-  begin("flat clearcoat").add(DisneyClearcoat{0.05F, true});
+  begin("flat clearcoat").add(DisneyClearcoat{0.05F, false, true});
   begin("mirror").add(Mirror{}, tint);
   begin("smooth glass").add(SmoothDielectric{white, white, 1.5F});
   begin("tinted smooth glass").add(SmoothDielectric{white, PackedSpectrum(tint), 0.7F});

@@ -221,7 +221,7 @@ Lobe random_lobe(Rng& rng) {
     case 14:
       return DisneySpecular{facets, {a, rng.next(), eta, rng.next()}};
     case 15:
-      return DisneyClearcoat{extreme(rng, 0.001F, 0.1F), rng.next() < 0.5F};
+      return DisneyClearcoat{extreme(rng, 0.001F, 0.1F), rng.next() < 0.5F, rng.next() < 0.5F};
     case 16:
       return SmoothConductor{metal};
     case 17:

@@ -192,7 +192,9 @@ TEST(DisneyClearcoat, IsFlatWithoutTheFourCosines) {
   const Vec3 wo = direction(30.F, 0.F);
   const Vec3 wi = direction(50.F, 170.F);
   const auto value = [&](bool flat) {
-    return DisneyClearcoat{0.05F, flat}.evaluate(wo, wi, false, TransportMode::Radiance).value[0];
+    return DisneyClearcoat{0.05F, false, flat}
+        .evaluate(wo, wi, false, TransportMode::Radiance)
+        .value[0];
   };
   EXPECT_NEAR(value(true) / value(false), 4.F * wo.z * wi.z, 1e-4F);
 }
