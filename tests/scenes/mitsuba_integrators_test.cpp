@@ -13,7 +13,7 @@
 namespace ajar {
 namespace {
 
-desc::SceneDesc scene_of(const std::string& body) {
+desc::SceneDesc description_with(const std::string& body) {
   Warnings warnings;
   const std::string text = "<scene version='3.0.0'>" + body + "</scene>";
   desc::SceneDesc scene = import_mitsuba_text(test::with_quotes(text), "test.xml", ".", warnings);
@@ -22,7 +22,7 @@ desc::SceneDesc scene_of(const std::string& body) {
 }
 
 double mean_of(const std::string& body, int samples, const std::string& method = "pt") {
-  desc::SceneDesc description = scene_of(body);
+  desc::SceneDesc description = description_with(body);
   test::RenderOptions options;
   options.integrator = method;
   options.samples = samples;

@@ -89,6 +89,7 @@ std::optional<ImageOption> take_option(const std::vector<Word>& words, std::size
 ImageWords image_words(std::string_view text) {
   const std::vector<Word> words = words_in(text);
   ImageWords result;
+  if (words.empty()) return result;
   std::size_t first = 0;
   while (std::optional<ImageOption> option = take_option(words, first, true)) {
     // "-type sphere": its word is no name, as another one follows.

@@ -24,7 +24,7 @@ bool comes_to(const Endpoint& lamp, const Scene& scene, PathVertex vertex, int m
   RayCounts rays;
   Flight flight;
   while (vertex.edges < max_depth && scatter(walk, vertex, source, flight)) {
-    const SegmentEnd end = trace_segment(scene, flight.ray, flight.medium,
+    const SegmentEnd end = trace_segment(scene, flight.ray, flight.medium, kAnyLane,
                                          {source, Stream::Camera, flight.edges, 0}, rays);
     if (end.scattered || end.lost) return false;
     if (!end.hit) {
