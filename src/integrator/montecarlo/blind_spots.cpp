@@ -69,7 +69,10 @@ class ClearSink final : public PathSink {
 
 ClearSink look_around(const Scene& scene, const RenderSettings& settings,
                       PathSamplerSettings sampler_settings) {
-  sampler_settings.techniques = TechniqueSet::ibpt();
+  // No shadow rays from camera paths: vertices alone are looked at.
+  sampler_settings.techniques = TechniqueSet::parse("implicit,light");
+  sampler_settings.max_depth =
+      std::min(sampler_settings.max_depth, MonteCarloHeuristics::kLookingAroundEdges);
   PathSampler sampler(scene, sampler_settings);
   ClearSink sink;
   const Vec2 low(settings.crop.min);
