@@ -45,7 +45,10 @@ def projection(
     *,
     intensity: Color = 1.0,
     fov: Number = 45.0,
+    fov_axis: Literal["shorter", "longer", "x", "y", "diagonal"] = 'shorter',
     image: File | None = None,
+    image_is: Literal["intensity", "irradiance"] = 'intensity',
+    decoding_exponent: Number | None = None,
     power: Number | None = None,
     name: str = '',
 ) -> Node:

@@ -58,6 +58,7 @@ def composite(
     transmittance: TexturedColor = 0.0,
     eta: TexturedNumber = 1.5,
     opacity: TexturedColor = 1.0,
+    uncounted: bool = False,
     roughness: TexturedNumber = 0.1,
     roughness_v: TexturedNumber | None = None,
     roughness_scale: Literal["alpha", "log", "square"] = 'alpha',
@@ -91,6 +92,7 @@ def dielectric(
     thin: bool = False,
     polarised: bool = False,
     along_normal: bool = False,
+    uncounted: bool = False,
     distribution: Literal["ggx", "beckmann"] = 'ggx',
     masking: Literal["joint", "separable"] = 'joint',
     roughness: TexturedNumber = 0.0,
@@ -115,6 +117,7 @@ def diffuse(
 
 def interface(
     *,
+    counted: bool = False,
     name: str = '',
     bump: Node | None = None,
     normal_map: Node | None = None,
