@@ -27,7 +27,7 @@ bool is_too_large(std::string_view text) {
   const std::size_t leading = digits.find_first_of("123456789");
   if (leading == std::string_view::npos) return false;
   const auto order = static_cast<long long>(point) - static_cast<long long>(leading);
-  return order + exponent > 0;
+  return exponent > -order;
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ std::vector<unsigned char> display_bytes(const Picture& picture, const std::stri
   ImageLayout layout = layout_of(picture, std::span(picture.layers).first(1));
   const auto width = static_cast<std::size_t>(layout.width);
   const bool is_png = extension == ".png";
-  const Picture::Layer* const alpha = is_png ? layer_named(picture, kAlphaLayer) : nullptr;
+  const Picture::Layer* const alpha = is_png ? alpha_of(picture) : nullptr;
   if (alpha != nullptr) layout.names.emplace_back(kAlphaLayer);
   const std::size_t channels = layout.names.size();
   const auto encode = is_png ? encode_png : encode_jpeg;

@@ -43,6 +43,15 @@ inline const Picture::Layer* layer_named(const Picture& picture, const std::stri
   return found == picture.layers.end() ? nullptr : &*found;
 }
 
+/// How opaque its pixels are; null if that is not known. (A layer of colours may have that name.)
+inline const Picture::Layer* alpha_of(const Picture& picture) {
+  const auto found =
+      std::find_if(picture.layers.begin(), picture.layers.end(), [&](const Picture::Layer& layer) {
+        return layer.name == kAlphaLayer && layer.channels == 1;
+      });
+  return found == picture.layers.end() ? nullptr : &*found;
+}
+
 /// What the eye is to see of a picture: its layer without noise or, if there is none, the picture
 /// itself.
 inline const Picture::Layer& shown_layer(const Picture& picture) {

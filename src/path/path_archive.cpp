@@ -1,6 +1,8 @@
 #include "path/path_archive.h"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include "core/archive.h"
@@ -157,6 +159,9 @@ Path load_path(InputArchive& archive, const Scene& scene) {
     from.floats(segment.transmittance);
     from.floats(segment.scattering_depth);
     archive(segment.counted_interfaces);
+    refuse(segment.counted_interfaces < 0 ||
+               segment.counted_interfaces > std::numeric_limits<std::int16_t>::max(),
+           "an edge of a path crosses what it cannot");
   }
   return path;
 }

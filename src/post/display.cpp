@@ -8,7 +8,7 @@ namespace ajar {
 
 Picture displayed(const Picture& picture, const DisplayOptions& options) {
   std::vector<float> shown = shown_layer(picture).pixels;
-  const Picture::Layer* const alpha = layer_named(picture, kAlphaLayer);
+  const Picture::Layer* const alpha = options.has_alpha ? alpha_of(picture) : nullptr;
   if (alpha != nullptr) {
     // Formats for the eye have colours that are not multiplied by it.
     for (std::size_t i = 0; i < shown.size(); ++i) {

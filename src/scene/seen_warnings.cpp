@@ -40,7 +40,7 @@ void look(const Scene& scene, const Mat4& to_camera, const Vec2& at, const Visit
     if (!hit) return;
     Vec3d place;
     to_camera.multVecMatrix(Vec3d(hit->point.p), place);
-    const bool is_interface = hit->material->is_interface();
+    const bool is_interface = hit->cut_away || hit->is_interface();
     if (!is_interface) {
       visit({static_cast<desc::MaterialId>(hit->material_id),
              dot(ray.direction, hit->point.ng) > 0.F, std::abs(place.z)});

@@ -26,7 +26,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
 
-constexpr std::uint32_t kCheckpointFormat = 21;
+constexpr std::uint32_t kCheckpointFormat = 22;
 constexpr std::array<char, 16> kMagic = {'A', 'j', 'a', 'r', ' ', 'c', 'h', 'e',
                                          'c', 'k', 'p', 'o', 'i', 'n', 't', '\n'};
 

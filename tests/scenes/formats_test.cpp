@@ -61,11 +61,11 @@ void expect_same_room(const test::Render& truth, const std::vector<std::string>&
 TEST_F(Formats, HaveTheSameDiffuseRoom) {
   const test::Render truth =
       render(test::write_pbrt3_room(folder_.path(), RoomSurface::Diffuse), 1, 64);
-  expect_same_room(truth, {test::write_pbrt4_room(folder_.path()),
-                           test::write_mitsuba_room(folder_.path(), "0.6.0", RoomSurface::Diffuse),
-                           test::write_mitsuba_room(folder_.path(), "3.0.0", RoomSurface::Diffuse),
-                           test::write_tungsten_room(folder_.path()),
-                           test::write_gltf_room(folder_.path())});
+  expect_same_room(
+      truth, {test::write_pbrt4_room(folder_.path()),
+              test::write_mitsuba_room(folder_.path(), "0.6.0", RoomSurface::Diffuse),
+              test::write_mitsuba_room(folder_.path(), "3.0.0", RoomSurface::Diffuse),
+              test::write_tungsten_room(folder_.path()), test::write_gltf_room(folder_.path())});
 }
 
 TEST_F(Formats, HaveTheSamePrincipledRoom) {

@@ -64,7 +64,9 @@ TEST(ScaledScenes, HaveTheSameBitsAtPowersOfTwo) {
 }
 
 TEST(ScaledScenes, HaveTheSameBitsByEveryMethod) {
-  for (const std::string& method : methods_but({})) {
+  for (const std::string& method :
+       methods_but({{"mlt", "logarithms of lengths have other digits"},
+                    {"erpt", "logarithms of lengths have other digits"}})) {
     for (const char* const name : {"GlassAndMetal", "MilkBall"}) {
       SCOPED_TRACE(name);
       expect_same_bits(small_desc(name), method);

@@ -47,7 +47,7 @@ class BackgroundRender {
 
  private:
   void run();
-  /// Who keep its messages.
+  /// Callbacks that keep its messages.
   v0::Callbacks listeners();
 
   mutable std::mutex mutex_;

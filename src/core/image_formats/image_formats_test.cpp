@@ -431,11 +431,12 @@ void write_parts(const std::string& path, const std::vector<TestPart>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Imf::OutputPart output(file, static_cast<int>(i));
     Imf::FrameBuffer buffer;
-    std::vector<float> values;
-    for (const auto& [name, value] : parts[i].channels) values.push_back(value);
-    for (std::size_t c = 0; c < values.size(); ++c) {
-      buffer.insert(parts[i].channels[c].first,
-                    Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&values[c]), 0, 0));
+    const auto width = static_cast<std::size_t>(parts[i].width);
+    std::vector<std::vector<float>> values;
+    for (const auto& [name, value] : parts[i].channels) {
+      values.emplace_back(2 * width, value);
+      buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.back().data()),
+                                     sizeof(float), sizeof(float) * width));
     }
     output.setFrameBuffer(buffer);
     output.writePixels(2);

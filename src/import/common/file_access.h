@@ -27,12 +27,13 @@ class FileAccess {
   /// The same of text, in UTF-8 (`in_utf8`).
   FileBytes load_text(const std::string& resolved) const { return in_utf8(load(resolved)); }
   bool exists(const std::string& resolved) const;
+  /// Whether there is a file of this very name, before it is resolved.
+  bool is_there(const std::string& name) const;
   /// All paths on the disk that were resolved so far.
   const std::set<std::string>& named() const { return named_; }
 
  private:
   std::string path_of(const std::string& name) const;
-  bool is_there(const std::string& name) const;
   /// `name`, or what the file is called that alone can be meant.
   std::string meant_by(const std::string& name) const;
 

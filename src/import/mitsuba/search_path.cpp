@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <vector>
 
 namespace ajar::mitsuba {
 
@@ -13,9 +14,16 @@ void SearchPath::add(const std::string& folder) {
 }
 
 std::string SearchPath::find(const std::string& name) const {
-  if (folders_.empty() || files_.exists(files_.resolve(name))) return name;
+  if (folders_.empty()) return name;
+  std::vector<std::string> candidates = {name};
   for (const std::string& folder : folders_) {
-    const std::string candidate = (std::filesystem::path(folder) / name).string();
+    candidates.push_back((std::filesystem::path(folder) / name).string());
+  }
+  // The very name in any folder comes before another spelling of it in the first.
+  for (const std::string& candidate : candidates) {
+    if (files_.is_there(candidate)) return candidate;
+  }
+  for (const std::string& candidate : candidates) {
     if (files_.exists(files_.resolve(candidate))) return candidate;
   }
   return name;

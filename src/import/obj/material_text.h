@@ -10,7 +10,8 @@ namespace ajar::obj {
 ///
 /// - one number for a colour is a grey, not a red,
 /// - an image without its factor has the factor 1,
-/// - `-o`, `-s` and `-t` of an image may have one or two numbers, and options may follow its name,
+/// - `-o` and `-s` of an image may have one or two numbers, and options may follow its name; those
+///   of which nothing comes are left out,
 /// - a colour of gloss without `illum` is a material with gloss.
 ///
 /// Lines whose value is no number, as `Kd spectral` and `d -halo`, are left out, with a warning.

@@ -88,13 +88,13 @@ void read_own_bounds(const SourceLocation& where, const ParameterList& p, Placed
   if (!points) return;
   desc::DensityGrid& grid = placed.grid;
   const desc::Vec3i n = grid.resolution;
-  const auto size = static_cast<std::size_t>(std::max(n.x, 0)) *
-                    static_cast<std::size_t>(std::max(n.y, 0)) *
-                    static_cast<std::size_t>(std::max(n.z, 0));
+  // Of three integers, which may be too large for one.
+  const double size = static_cast<double>(std::max(n.x, 0)) *
+                      static_cast<double>(std::max(n.y, 0)) * static_cast<double>(std::max(n.z, 0));
   for (const std::size_t count :
        {grid.values.size(), grid.absorption.size(), grid.scattering.size()}) {
-    const bool fits =
-        beyond >= 0 && beyond < std::min({n.x, n.y, n.z}) && (count == 0 || count == size);
+    const bool fits = beyond >= 0 && beyond < (std::min({n.x, n.y, n.z}) + 1) / 2 &&
+                      (count == 0 || static_cast<double>(count) == size);
     if (!fits) throw SceneError(where, "the medium does not have as many points as it says");
   }
   grid.points = *points == "corners" ? desc::DensityGrid::Points::Corners

@@ -23,8 +23,8 @@ struct Dialect {
 /// The surest signs first. Sources: the programs' documentation and example scenes.
 const std::vector<Dialect>& dialects() {
   static const std::vector<Dialect> kAll = {
-      {"glTF, which is read from files named .gltf", {"asset.version", "accessors"}},
-      {"glTF, which is read from files named .gltf", {"asset.version", "nodes"}},
+      {"glTF, which is told by the name of its file", {"asset.version", "accessors"}},
+      {"glTF, which is told by the name of its file", {"asset.version", "nodes"}},
       {"Yocto/GL", {"asset", "instances"}},
       {"Yocto/GL", {"asset", "environments"}},
       {"Yocto/GL", {"asset", "cameras"}},

@@ -103,7 +103,11 @@ std::string missing_depths(const PathSamplerSettings& sampler) {
 }  // namespace
 
 std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& settings,
-                                 const PathSamplerSettings& sampler, bool joins_by_manifolds) {
+                                 const PathSamplerSettings& widened, bool joins_by_manifolds) {
+  // Limits of edges may be wider than the depths that count.
+  PathSamplerSettings sampler = widened;
+  sampler.min_depth = std::max(sampler.min_depth, sampler.counted.minimum);
+  sampler.max_depth = std::min(sampler.max_depth, sampler.counted.maximum);
   if (const std::string depths = missing_depths(sampler); !depths.empty()) {
     return {{kMissingDepths,
              {},

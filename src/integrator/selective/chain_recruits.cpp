@@ -72,8 +72,8 @@ void ChainRecruits::share_with_manifolds(Recruit& recruit, const SelectiveChain&
                                          RayCounts& rays) const {
   const PathGroup& group = plan_.group_of(recruit.path);
   if (!recruit.path.hit_only || !PathSeeds::has_manifolds(group)) return;
-  const PathBounds bounds{plan_.view, group.sampler.min_depth, group.sampler.max_depth};
-  ManifoldSeeds manifolds(plan_.scene, *group.photons, bounds, SelectiveHeuristics::kManifoldTries);
+  ManifoldSeeds manifolds(plan_.scene, *group.photons, bounds_of(group, plan_.view),
+                          SelectiveHeuristics::kManifoldTries);
   recruit.path.energy *=
       manifolds.hit_share(std::get<PathChain>(chain.state).path,
                           hash_numbers(recruit.path.key(), RandomUse::ManifoldSeed));
