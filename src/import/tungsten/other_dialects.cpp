@@ -113,10 +113,10 @@ std::string foreign_members(const LocatedJson& root) {
 /// Whether something is a primitive of Tungsten: of one of its types, and not all that it has is
 /// by other names.
 bool is_primitive(const LocatedJson& json) {
-  constexpr std::array<std::string_view, 13> kWords = {
+  constexpr std::array<std::string_view, 15> kWords = {
       "transform", "bsdf",       "emission",   "power",       "file",
       "masters",   "int_medium", "ext_medium", "temperature", "cone_angle",
-      "turbidity", "cap_angle",  "curve_type"};
+      "turbidity", "cap_angle",  "curve_type", "bump",        "smooth"};
   const LocatedJson* type = json.find("type");
   if (type == nullptr || !type->is(Kind::String)) return false;
   const bool is_known = is_primitive_type(type->text());
