@@ -16,11 +16,11 @@ NESTED.append(NESTED)
 DEEP = []
 for _ in range(100):
     DEEP = [DEEP]
-# Of which none is a number, a text or a flag.
+# Values that are neither a number, a text nor a flag.
 NOTHING = [object(), {}, {"a": 1}, NESTED, DEEP, b"bytes", 1j, numpy.array(["a"]), numpy.array([object()]), set(), len]
 NUMBERS = [math.nan, math.inf, -math.inf, 1e300, -1, -0.5, 10**30, -(10**30), 2**63, 2**31, numpy.float32("nan")]
 
-# What each setting cannot be.
+# Values that each setting refuses.
 SETTINGS = {
     "spp": [0, 1.5, True, "5", [1], *NUMBERS[:-3], *NOTHING],
     "time": [0, True, "5", [1], math.nan, math.inf, 1e300, -1, *NOTHING],

@@ -25,7 +25,7 @@ void check_given(const Limits<Number>& limits, const std::optional<Number>& valu
   if (value) check_within(limits, *value, name);
 }
 
-/// What the command line refuses; names are those of `Settings`.
+/// Refuses settings as the command line does; names are those of `Settings`.
 void check_numbers(const Settings& settings) {
   check_given(limits::kSamples, settings.samples_per_pixel, "samples_per_pixel");
   check_given(limits::kSeconds, settings.seconds, "seconds");

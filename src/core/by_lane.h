@@ -9,7 +9,7 @@ using ByLane = Vec3d;
 
 inline ByLane by_lane(const Spectrum& s) { return ByLane(Vec3(s[0], s[1], s[2])); }
 
-/// Of lanes that agree exactly their value: then all is as if there were one.
+/// The mean over lanes; of equal ones exactly their value, so that grey media behave as one lane.
 inline double mean(const ByLane& lanes) {
   if (lanes.x == lanes.y && lanes.x == lanes.z) return lanes.x;
   return (lanes.x + lanes.y + lanes.z) / 3.0;

@@ -22,7 +22,7 @@ struct ImageHeuristics {
   /// Unit: share. Range: (0, 1]. Source: 51b6652; set by hand, no study.
   static constexpr double kFewestOfPlaces = 0.25;
 
-  /// Of a bound: no pixel is darker than the mean of the picture around it.
+  /// Radius of the mean below which no pixel counts as dark in a bound of the error.
   /// Unit: pixels to either side. Range: >= 1. Source: docs/notebook/equal-time-errors.md, "When
   /// the estimate is a bound": bounds are 64 % of the truth in the median, none of 47 above 1.1
   /// times it; with 2 they are 53 %, with 4 69 %, and 6 % above.

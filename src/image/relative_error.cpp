@@ -64,7 +64,7 @@ double sum_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Of the squared relative errors of pixels, summed over channels.
+/// Root mean square of relative errors; each pixel holds its squares summed over channels.
 double root_mean(std::span<const double> of_pixels) {
   return std::sqrt(sum_of(of_pixels) / static_cast<double>(kChannels * of_pixels.size()));
 }

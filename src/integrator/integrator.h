@@ -64,7 +64,7 @@ inline constexpr std::array<std::uint64_t EventCounts::*, 7> kEventCounts = {
     &EventCounts::discarded_negative};
 static_assert(sizeof(EventCounts) == kEventCounts.size() * sizeof(std::uint64_t));
 
-/// What every integrator counts; summed over threads by the job.
+/// Counts of every integrator; summed over threads by the job.
 struct Counters : EventCounts {
   TechniqueShares techniques;  ///< what each technique brought
   /// What to say about the first discarded contribution of an item: enough to replay it.

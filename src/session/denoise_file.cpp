@@ -49,7 +49,7 @@ std::uint64_t denoising_bytes(const Picture& picture, const Denoiser& denoiser) 
   while (find_layer(picture, fmt::format("replicates.{}", replicates)) != nullptr) ++replicates;
   std::uint64_t filtering = 0;
   if (!PictureFilter::mixes(replicates)) {
-    // What the filter is given and makes; features as they are, prepared and in the picture.
+    // Pictures that the filter reads and makes; features as they are, prepared and in the picture.
     const std::size_t pictures = replicates + 2 + (has_features(picture) ? 8 : 0);
     filtering = denoiser.memory_bytes(values / 3) + pictures * values * sizeof(float);
   } else {

@@ -55,9 +55,10 @@ struct SegmentEnd {
 // The numbers by which `trace_segment` ends segments that cross scattering media. What it forgets
 // is taken from `fresh` (docs/methods/inverses.md).
 
-/// Of `kLaneChoice`. `pdf`: density of the whole path by each lane. Empty if no lane makes it.
+/// The number of `kLaneChoice`. `pdf`: density of the whole path by each lane. Empty if no lane
+/// makes it.
 std::optional<float> invert_lane(const ByLane& pdf, float fresh);
-/// Of the distance, which was sampled by `lane`; its density is `Segment::distance_pdf`.
+/// The number of the distance, which was sampled by `lane`; its density is `Segment::distance_pdf`.
 float invert_distance(const Segment& segment, const MediumPoint& end, int lane, float fresh);
 
 /// Where a segment gets its numbers if it crosses a scattering medium; most do not.

@@ -88,7 +88,7 @@ desc::Density colored_smoke() {
   return {std::make_shared<const desc::DensityGrid>(std::move(grid)), plain.to_world};
 }
 
-/// Of distances that each is sampled by whichever lane the products would grow without bound.
+/// Weights of distances that each choose a lane of their own would grow without bound.
 TEST(FreeFlights, AreWorthTransmittanceOverTheMeanOfTheDensitiesByLane) {
   const Medium medium("m", Spectrum(0.1F, 0.F, 0.3F), Spectrum(1.F, 2.F, 4.F), 0.F);
   IndependentSource numbers({1, 2, 3, 4});

@@ -104,7 +104,7 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   const bool uncounted =
       sample->transmission && sample->pdf.discrete() && vertex.bsdf.is_uncounted(sample->event());
   flight.surplus = vertex.surplus - (uncounted ? 1 : 0);
-  // What is no vertex to the depth is none to a camera that looks past lights.
+  // Vertices that do not count are none to a camera that looks past lights.
   const bool passes_lights = flight.ray.passes_lights && uncounted;
   flight.ray = {vertex.ray_origin(sample->wi), sample->wi};
   flight.ray.passes_lights = passes_lights;

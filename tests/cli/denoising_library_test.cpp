@@ -73,7 +73,7 @@ TEST_F(DenoisingLibrary, IsPassedOverIfAPartOfItIsCut) {
     std::ofstream(file("cut.so"), std::ios::binary) << bytes.substr(0, length);
     expect_passed_over(file("cut.so"), "it is cut short");
   }
-  // What it would load by itself.
+  // The library that it would load by itself.
   fs::create_directories(file("lib"));
   fs::copy_file(library, file("lib") / "libOpenImageDenoise.so.2");
   for (const char* part :

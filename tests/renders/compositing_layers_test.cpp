@@ -37,7 +37,7 @@ TEST(CompositingLayers, AlphaIsTheShareThatIsNotSky) {
   EXPECT_EQ(alpha[0], 0.F);
   EXPECT_NEAR(alpha[8 * 4 + 4], 1.F, 1e-5F);
   for (std::size_t i = 0; i < alpha.size(); ++i) {
-    // What shines evenly is multiplied by it.
+    // An even light is multiplied by it.
     EXPECT_NEAR(picture.layers.front().pixels[3 * i], 0.5F * alpha[i], 1e-5F) << i;
   }
 }

@@ -174,7 +174,7 @@ void expect_no_gain(const desc::SceneDesc& imported, const FurnaceRow& row) {
   }
 }
 
-/// What a file says; `write` puts one together and returns its name.
+/// Text of a scene file; `write` puts one together and returns its name.
 template <typename Write>
 desc::SceneDesc imported(const std::string& material, const Write& write) {
   const TemporaryFolder folder;
@@ -240,7 +240,7 @@ TEST(MaterialFurnace, ModelsOfTheRegistry) {
   }
 }
 
-/// What a row may name: two materials.
+/// Materials that a row may name: two.
 const char* const kPbrtParts =
     "MakeNamedMaterial 'red' 'string type' 'matte' 'rgb Kd' [1 0.5 0]\n"
     "MakeNamedMaterial 'clear' 'string type' 'glass'\n";

@@ -1,4 +1,5 @@
-// What the integrators of Mitsuba count and show. Numbers are those of Mitsuba 3.9.
+// Depths that the integrators of Mitsuba count, and lamps that they show. Numbers are those of
+// Mitsuba 3.9.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -465,7 +465,7 @@ TEST(PbrtV4Scenes, LampsThatShouldNotBeSeenShineAndLetLightPass) {
   expect_color(seen.mean(), {3, 3, 3}, 1e-4F);
 }
 
-/// What is not there is no intersection; thin glass is one.
+/// Cut-outs are no intersections; thin glass is one.
 TEST(Pbrt4, AlphaAndInterfacesAddNothingToTheDepth) {
   const auto seen = [](const std::string& material, const std::string& alpha, int depth) {
     std::string text = camera(5, 0.5F) +

@@ -6,7 +6,7 @@
 /// lamp that shines downward, a point light, and a camera that sees a picture of 4 to 3.
 namespace ajar::test {
 
-/// What its surfaces are made of: some formats have no principled reflection. Its parameters are
+/// Material of its surfaces: some formats have no principled reflection. Its parameters are
 /// such that all others mean the same by them.
 enum class RoomSurface { Diffuse, Principled };
 

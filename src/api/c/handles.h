@@ -63,7 +63,8 @@ class BackgroundRender {
 /// Calls `work`, and makes a code and `ajar_last_error` of what it raises.
 int guarded(const std::function<void()>& work);
 
-/// What a caller gave a pointer to. Raises UsageError that names the argument if that is none.
+/// The object behind a pointer that a caller gave. Raises UsageError that names the argument if
+/// that is none.
 template <typename T>
 T& given(T* pointer, const char* argument) {
   if (pointer == nullptr) throw UsageError(std::string(argument) + " is NULL");

@@ -169,7 +169,7 @@ TEST(CFaceRefuses, NullOfEveryFunction) {
   }
 }
 
-/// What is said of settings that must be refused.
+/// Messages about settings that must be refused.
 std::string complaint_about(const std::string& settings) {
   static const SceneHandle kScene = cornell();
   ajar_render* render = nullptr;

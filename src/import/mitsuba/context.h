@@ -14,7 +14,7 @@ struct Context {
   const Document& document;
   SearchPath& files;
   Warnings& warnings;
-  /// What goes straight on through a surface adds to the depth of a path or not: as the integrator
+  /// Null events add to the depth of a path or not: as the integrator
   /// has it where that is limited, else as in ours, by which only boundaries of media do not.
   bool counts_boundaries = false;
   bool counts_straight = true;

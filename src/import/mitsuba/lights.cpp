@@ -139,7 +139,7 @@ std::optional<desc::Light> projector(const Source& in) {
   desc::Node node = in.node("projection", {{"fov", static_cast<float>(view.fov)},
                                            {"fov_axis", view.axis},
                                            {"image_is", std::string("irradiance")}});
-  // What reaches a plane at z = 1 is π times the irradiance, which a scale of the space moves.
+  // A plane at z = 1 receives π times the irradiance, which a scale of the space moves.
   // Source: Mitsuba 3, projector.cpp.
   const Mat4 to_world = in.to_world();
   Vec3d axis;

@@ -38,7 +38,7 @@ Surface make_thin_dielectric(const MaterialInputs& in);
 Surface make_rough_dielectric(const MaterialInputs& in);
 Surface make_conductor(const MaterialInputs& in);
 Surface make_rough_conductor(const MaterialInputs& in);
-/// Of versions of Mitsuba 0.x for glints: GGX alone, and "R0" in place of an index.
+/// Metals of Mitsuba 0.x variants for glints: GGX alone, and "R0" in place of an index.
 Surface make_ggx_conductor(const MaterialInputs& in);
 // In coated_materials.cpp:
 Surface make_plastic(const MaterialInputs& in);

@@ -15,7 +15,7 @@ constexpr WarningKind kTwoAngles{
     Effect::None, "sensors have a field of view and a focal length: the former counts"};
 constexpr WarningKind kAxis{Effect::Light, "fov axes are unknown: that of x stands in"};
 
-/// Of a film of 36 mm × 24 mm, along its diagonal.
+/// Diagonal of a film of 36 mm × 24 mm.
 double angle_of_lens(Arguments& arguments) {
   std::string text = arguments.text("focal_length", "50mm");
   if (text.ends_with("mm")) text.resize(text.size() - 2);

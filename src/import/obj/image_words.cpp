@@ -111,7 +111,7 @@ ImageWords image_words(std::string_view text) {
       result.options.insert(result.options.end(), behind.begin(), behind.end());
       break;
     }
-    // What begins within such a run ends where it does, so that none of it need be tried again.
+    // Options that begin within such a run end where it does: none of them need be tried again.
     if (!behind.empty()) i = at - 1;
     last = i;
   }

@@ -88,7 +88,7 @@ void read_own_bounds(const SourceLocation& where, const ParameterList& p, Placed
   if (!points) return;
   desc::DensityGrid& grid = placed.grid;
   const desc::Vec3i n = grid.resolution;
-  // Of three integers, which may be too large for one.
+  // Product of three integers, which may overflow one.
   const double size = static_cast<double>(std::max(n.x, 0)) *
                       static_cast<double>(std::max(n.y, 0)) * static_cast<double>(std::max(n.z, 0));
   for (const std::size_t count :

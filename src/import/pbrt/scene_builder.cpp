@@ -422,7 +422,7 @@ void SceneBuilder::make_partly_clear(const ParameterList& parameters, desc::Shap
   if (is_new) {
     const desc::Material like{.name = scene_.materials[material].name,
                               .where = scene_.materials[material].where};
-    // What "alpha" leaves out is no intersection.
+    // Surfaces that "alpha" cuts away are no intersections.
     made->second = with_opacity(scene_, like, shape.material, opacity, Passing::Uncounted).material;
   }
   shape.material = made->second;

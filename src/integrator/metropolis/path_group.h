@@ -60,7 +60,7 @@ double bootstrap_share(std::span<const PathGroup> groups, std::size_t group);
 /// Of a scene's film, as far as its filter reaches beyond the crop.
 ChainView view_of(const Scene& scene, const RenderSettings& settings);
 
-/// What explicit paths chains of the group may make.
+/// Limits of the explicit paths that chains of the group may make.
 inline PathBounds bounds_of(const PathGroup& group, const ChainView& view) {
   return {view, group.sampler.min_depth, group.sampler.max_depth, group.sampler.counted};
 }

@@ -48,7 +48,7 @@ struct MonteCarloHeuristics {
   /// Unit: share. Range: (0, 1). Source: docs/notebook/equal-time-errors.md, "Small lamps behind
   /// glass"; half and double name the same lamps in eighteen scenes.
   static constexpr double kRarelyMet = 5e-4;
-  /// What a lamp sends through glass is named if it is at least so much of all light.
+  /// Least share of all light that a lamp must send through glass to be named.
   /// Unit: share. Range: (0, 1). Source: as above, half and double, too.
   static constexpr double kLightOfSmallLamps = 0.01;
   /// Depths that are looked at one by one. Longer paths are as these are, unless many pairs are

@@ -133,8 +133,8 @@ struct CoatedDiffuse {
   }
 
  private:
-  /// What the coat leaves on a way at this cosine. Never nothing, so that no product of such is too
-  /// small for a float.
+  /// Transmittance of the coat along a way at this cosine. Never 0, so that no product of such is
+  /// too small for a float.
   Spectrum left(float cosine) const {
     const Spectrum thickness = depth.unpack();
     if (thickness.is_black()) return Spectrum(1.F);
@@ -228,12 +228,12 @@ struct CoatedConductor {
   }
 };
 
-/// What `CoatedConductor` lacks under a smooth coat: light that a rough metal reflects to where the
-/// coat turns it back, most of it totally, and that comes out later. By then it is diffuse:
-/// X(θ_o) X(θ_i) c / π, where X is the share that is turned back at first, and c such that on
-/// average as much comes out as metal and coat leave of it. No direction gets more than the other
-/// lobe lacks. Source of the form: Kulla & Conty 2017, "Revisiting physically based shading at
-/// Imageworks".
+/// The part that `CoatedConductor` lacks under a smooth coat: light that a rough metal reflects to
+/// where the coat turns it back, most of it totally, and that comes out later. By then it is
+/// diffuse: X(θ_o) X(θ_i) c / π, where X is the share that is turned back at first, and c such that
+/// on average as much comes out as metal and coat leave of it. No direction gets more than the
+/// other lobe lacks. Source of the form: Kulla & Conty 2017, "Revisiting physically based shading
+/// at Imageworks".
 struct CoatedConductorEcho {
   static constexpr bool kSpecular = false;
   PackedSpectrum share;  ///< c

@@ -32,7 +32,7 @@ constexpr float part(int node) {
   return static_cast<float>(node) / (Nodes - 1);
 }
 
-// What is steep in the cosine near 0, in α near 0 and in the index near 1 has its nodes there: they
+// Nodes are dense where the function is steep: cosine near 0, α near 0, index near 1: they
 // are evenly spaced in the root of the first two, and in the fourth root of R0.
 float gloss_cosine(int node) {
   return std::max(part<kGlossCosines>(node) * part<kGlossCosines>(node), 1e-4F);

@@ -43,7 +43,7 @@ class LightInputs {
   /// The map "image" of all directions, spread as "projection" says; nothing if the light has none.
   /// An equal-area map that is not square counts as one of latitudes, with a warning.
   std::optional<SphereMap> sphere_map(const TexelTreatment& texels = {}) const;
-  /// That of integers of the image; nothing if they are sRGB.
+  /// Exponent that decodes integers of the image; nothing if they are sRGB.
   std::optional<float> decoding_exponent() const;
   /// What a light of the luminance `actual` is multiplied with to have that which the parameter
   /// `name` says; 1 if it says none.
@@ -62,7 +62,7 @@ namespace ajar::declare {
 
 /// A luminance that a light is scaled to, whatever its image; none by default.
 ParameterSpec target(std::string name, std::string unit, std::string help);
-/// Of `LightInputs::decoding_exponent`.
+/// The parameter of `LightInputs::decoding_exponent`.
 ParameterSpec decoding();
 
 }  // namespace ajar::declare

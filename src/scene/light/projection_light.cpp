@@ -124,7 +124,7 @@ class ProjectionLight final : public Light {
     const std::optional<Vec2> uv = to_uv(at_.directions.vector_to_local(w));
     return uv ? intensity_at(*uv, w) : Spectrum();
   }
-  /// Of the direction `w` in the world, which goes through the window at `uv`.
+  /// Intensity in the direction `w` (world), which goes through the window at `uv`.
   Spectrum intensity_at(const Vec2& uv, const Vec3& w) const {
     const Spectrum intensity = intensity_ * map_.lookup(uv);
     if (!is_of_irradiance_) return intensity;

@@ -51,7 +51,7 @@ std::vector<ParameterSpec> roughness_inputs(std::string value);
 
 /// "distribution", with `others` beside those of facets, and "masking": what `facet_model` reads.
 std::vector<ParameterSpec> facet_inputs(std::vector<std::string> others = {});
-/// Of a layer whose distribution has a name of its own; "masking" is common to all.
+/// Facets of a layer whose distribution has a name of its own; "masking" is common to all.
 FacetModel facet_model(const desc::Node& node, std::string_view distribution = "distribution");
 
 /// `x` in [low, high]; NaN becomes `low`.

@@ -43,7 +43,7 @@ class Material {
   bool index_varies = false;
   /// True if some light passes straight on without adding to the depth of its path.
   bool passes_uncounted = false;
-  /// Of an interface: true if crossing it adds an edge to the depth of a path.
+  /// True if crossing the interface adds an edge to the depth of a path.
   bool adds_edge = false;
 };
 
