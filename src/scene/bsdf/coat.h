@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/bsdf/coat_table.h"
+#include "scene/bsdf/cosine_sampled.h"
 #include "scene/bsdf/fresnel_mirror.h"
 #include "scene/bsdf/microfacet_reflection.h"
 
@@ -102,8 +103,7 @@ struct CoatInside {
 /// refracted angle (but see `CoatInside`). A white base gives all back that a clear coat lets
 /// through. Source: Wolff 1994, "Diffuse-reflectance model for smooth dielectric surfaces"; T of
 /// rough coats as above.
-struct CoatedDiffuse {
-  static constexpr bool kSpecular = false;
+struct CoatedDiffuse : CosineSampled<CoatedDiffuse> {
   PackedSpectrum base;  ///< r (1 + x + x² + …) / η²
   Coat coat;
   PackedSpectrum depth;
@@ -112,22 +112,10 @@ struct CoatedDiffuse {
   CoatedDiffuse() = default;
   CoatedDiffuse(const Spectrum& reflectance, const Coat& above, const CoatInside& inside = {});
 
-  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
-    if (transmission) return {};
-    return {base.unpack() * passed(wo) * passed(wi) * cosine_pdf(wi), cosine_pdf(wi),
-            cosine_pdf(wo)};
+  /// π f(wo, wi).
+  Spectrum times_pi(const Vec3& wo, const Vec3& wi) const {
+    return base.unpack() * passed(wo) * passed(wi);
   }
-  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
-                                   TransportMode mode) const {
-    const Vec3 wi = cosine_around(u.direction, ng);
-    const LobeValue v = evaluate(wo, wi, false, mode);
-    if (!(v.pdf > 0.F)) return std::nullopt;
-    return LobeSample{wi, v.value / v.pdf, v.pdf, v.reverse_pdf};
-  }
-  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
-    return cosine_inverse(wi, ng);
-  }
-  bool is_diffuse(const Vec3&, float) const { return true; }
   Spectrum albedo(const Vec3& wo) const {
     return base.unpack() * passed(wo) * left(0.8F) * coat.mean_transmittance();
   }
@@ -234,8 +222,7 @@ struct CoatedConductor {
 /// on average as much comes out as metal and coat leave of it. No direction gets more than the
 /// other lobe lacks. Source of the form: Kulla & Conty 2017, "Revisiting physically based shading
 /// at Imageworks".
-struct CoatedConductorEcho {
-  static constexpr bool kSpecular = false;
+struct CoatedConductorEcho : CosineSampled<CoatedConductorEcho> {
   PackedSpectrum share;  ///< c
   RoughBoundary below;   ///< the index of the coat and the facets of the metal
 
@@ -243,22 +230,10 @@ struct CoatedConductorEcho {
   /// The roughness of the metal is the mean of both.
   explicit CoatedConductorEcho(const CoatedConductor& first);
 
-  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
-    if (transmission) return {};
-    return {share.unpack() * (returned(wo) * returned(wi) * cosine_pdf(wi)), cosine_pdf(wi),
-            cosine_pdf(wo)};
+  /// π f(wo, wi).
+  Spectrum times_pi(const Vec3& wo, const Vec3& wi) const {
+    return share.unpack() * (returned(wo) * returned(wi));
   }
-  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
-                                   TransportMode mode) const {
-    const Vec3 wi = cosine_around(u.direction, ng);
-    const LobeValue v = evaluate(wo, wi, false, mode);
-    if (!(v.pdf > 0.F)) return std::nullopt;
-    return LobeSample{wi, v.value / v.pdf, v.pdf, v.reverse_pdf};
-  }
-  LobeInverse inverse(const Vec3&, const Vec3& wi, float, const Vec3& ng) const {
-    return cosine_inverse(wi, ng);
-  }
-  bool is_diffuse(const Vec3&, float) const { return true; }
   Spectrum albedo(const Vec3& wo) const {
     return share.unpack() * (returned(wo) * coat_table::mean_returned(below));
   }

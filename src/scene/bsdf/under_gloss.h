@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 
-#include "scene/bsdf/coat.h"
 #include "scene/bsdf/cosine_sampled.h"
 
 /// Diffuse bases that get what a gloss above them leaves, as in appendix B of glTF 2.0.
