@@ -96,12 +96,11 @@ TEST_P(NullEventsCount, AsInMitsuba) {
   const auto with = [&](int panes, const std::string& rest) {
     std::string scene = integrator(events.integrator, events.max_depth) + view(9, 24) + kEvenLight;
     for (int i = 0; i < panes; ++i) scene += square(6, i, events.bsdf);
-    return mean_of(scene + rest, 1024);
+    return mean_of(scene + rest, 256);
   };
-  // Light passes or not: five standard errors of 16 pixels.
-  EXPECT_NEAR(with(5, ""), events.panes, 0.02);
+  EXPECT_NEAR(with(5, ""), events.panes, 0.006);
   const std::string floor = "<bsdf type='diffuse'><rgb name='reflectance' value='0.8'/></bsdf>";
-  EXPECT_NEAR(with(3, square(6, -1, floor)), events.floor, 0.02);
+  EXPECT_NEAR(with(3, square(6, -1, floor)), events.floor, 0.008);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, NullEventsCount,
@@ -110,9 +109,6 @@ INSTANTIATE_TEST_SUITE_P(All, NullEventsCount,
                                            NullEvents{kThin, "volpath", 2, 0.9550, 0.7017},
                                            NullEvents{kThin, "volpathmis", 3, 0.9896, 0.7578},
                                            NullEvents{kMask, "path", 3, 0.1602, 0.1612},
-                                           NullEvents{kMask, "path", 7, 0.4860, 0.3939},
-                                           NullEvents{kMask, "volpath", 2, 0.4875, 0.4137},
-                                           NullEvents{kMask, "volpath", 3, 0.5192, 0.4389},
                                            NullEvents{kCutOut, "path", 3, 0.2561, 0.2533},
                                            NullEvents{kCutOut, "path", 6, 0.5038, 0.3631},
                                            NullEvents{kCutOut, "volpath", 2, 0.5045, 0.3762},
@@ -124,22 +120,32 @@ INSTANTIATE_TEST_SUITE_P(All, NullEventsCount,
                                            NullEvents{kMaskedThin, "path", 6, 0.9301, 0.3371},
                                            NullEvents{kMaskedThin, "volpath", 2, 0.9869, 0.7443}));
 
+/// Three wide masks before even light, of two edges: 0.7³ comes through, and mask i (from 0) sends
+/// back 0.3 · 0.5 of what comes to it, which passes i masks on either way. Mitsuba 3.9 has
+/// 0.6163 instead of 0.6025.
+TEST(Masks, LetLightThroughAndBackAsTheirOpacitySays) {
+  std::string scene = integrator("volpath", 2) + view(9, 24) + kEvenLight;
+  for (int i = 0; i < 3; ++i) scene += square(600, i, kMask);
+  const double passed = 0.7 * 0.7;
+  EXPECT_NEAR(mean_of(scene, 256), 0.7 * passed + 0.15 * (1 + passed + passed * passed), 0.006);
+}
+
 class NullEventsOf : public ::testing::TestWithParam<std::string> {};
 
 /// Two masks hang between a lamp and the floor that is seen: light that falls there has passed
 /// both, or comes from it by more edges.
 TEST_P(NullEventsOf, AddNothingToTheDepthThatCountsByAnyMethod) {
   const auto lit = [&](const std::string& type, bool masked) {
-    const auto mask = [&](double z) { return masked ? square(3, z, kMask) : ""; };
+    const auto mask = [&](double z) { return masked ? square(10, z, kMask) : ""; };
     return integrator(type, 2) + view(9, 16) + mask(10) + mask(11) +
            square(2, 0, "<bsdf type='diffuse'/>") +
-           "<shape type='rectangle'><transform name='to_world'><scale value='1'/><rotate x='1' "
+           "<shape type='rectangle'><transform name='to_world'><scale value='4'/><rotate x='1' "
            "angle='180'/><translate z='12'/></transform>" +
            kMatt + "<emitter type='area'><rgb name='radiance' value='100'/></emitter></shape>";
   };
   const double open = mean_of(lit("volpath", false), 256);
-  // No method connects through masks, so that this tells half of the light from none.
-  EXPECT_NEAR(mean_of(lit("volpath", true), 1024, GetParam()), 0.49 * open, 0.15 * open);
+  // Five standard errors of `mmlt`: no method connects through masks, so that hits are few.
+  EXPECT_NEAR(mean_of(lit("volpath", true), 256, GetParam()), 0.49 * open, 0.1 * open);
   EXPECT_LT(mean_of(lit("path", true), 64, GetParam()), 1e-6);
 }
 
