@@ -52,7 +52,12 @@ bool is_seen_past_lights(const Scene& scene, const Path& path, int edge) {
 }
 
 bool is_hidden(const Scene& scene, const Path& path) {
-  return path.segment(0).counted_interfaces == 0 && is_seen_past_lights(scene, path, 0);
+  // The light itself, or a surface on the way that shines.
+  for (int edge = path.depth() - 1; edge >= 0 && is_seen_past_lights(scene, path, edge); --edge) {
+    const bool shines = edge == 0 || path.vertex(edge).hit.light != nullptr;
+    if (shines && path.segment(edge).counted_interfaces == 0) return true;
+  }
+  return false;
 }
 
 void mark_sides(const Scene& scene, Path& path) {

@@ -87,7 +87,7 @@ struct Path {
 /// Whether a camera that hides lights sees this edge: all between the two are events that do not
 /// count, and interfaces.
 bool is_seen_past_lights(const Scene& scene, const Path& path, int edge);
-/// Whether the light of the path is hidden from the camera.
+/// Whether the light of the path, or a surface on its way that shines, is hidden from the camera.
 bool is_hidden(const Scene& scene, const Path& path);
 
 /// Sets `event.transmission` of the vertices that scatter by rough lobes: what no one has sampled

@@ -200,6 +200,8 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
   if (unoccluded.is_black()) return;
 
   const auto weight_of = [&](const Segment& segment) {
+    // The camera looks through such a surface.
+    if (vertex.on_light && scene_.hides_lights() && segment.counted_interfaces == 0) return 0.0;
     const EmissionPdf emission = camera.emission_pdf(sample->point, -sample->w);
     const Heuristic heuristic = settings_.heuristic;
     const ByLane arrival =

@@ -28,6 +28,7 @@ struct PathVertex {
   int surplus;
   int repeat = 0;  ///< which light subpath of the sample this one belongs to
   bool in_medium;  ///< scatters in `medium` instead of at a surface
+  bool on_light;   ///< the surface shines
   Bsdf bsdf;       ///< undefined inside a medium
 
   /// f · |cos θ| (media: phase function · σ_s, the density of scattering events times the direction

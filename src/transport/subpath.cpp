@@ -50,6 +50,7 @@ void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd
   vertex.surplus = flight.surplus + end.segment.counted_interfaces;
   vertex.repeat = settings.repeat;
   vertex.in_medium = end.scattered;
+  vertex.on_light = end.hit && end.hit->light != nullptr;
   if (end.scattered) {
     vertex.p = flight.ray.origin + flight.ray.direction * end.distance;
     vertex.media = nullptr;

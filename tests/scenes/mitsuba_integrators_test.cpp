@@ -160,6 +160,21 @@ TEST_P(NullEventsOf, LampsThatAreHiddenShineByAnyMethod) {
   EXPECT_NEAR(mean_of(lit(false), 256, GetParam()), 0.2275, 0.007);
 }
 
+/// A lamp that is not seen reflects the light of another, which is not seen either.
+TEST_P(NullEventsOf, LampsThatAreHiddenAreNotDrawnByAnyMethod) {
+  const auto lit = [](bool hidden) {
+    return integrator("path", 3, hidden) + view(8, 16) +
+           "<shape type='sphere'><float name='radius' value='0.5'/><bsdf type='diffuse'><rgb "
+           "name='reflectance' value='0.8'/></bsdf><emitter type='area'><rgb name='radiance' "
+           "value='0.1'/></emitter></shape><shape type='rectangle'><transform "
+           "name='to_world'><scale value='2'/><rotate x='1' angle='180'/><translate "
+           "z='12'/></transform>" +
+           kMatt + "<emitter type='area'><rgb name='radiance' value='20'/></emitter></shape>";
+  };
+  EXPECT_GT(mean_of(lit(false), 64, GetParam()), 0.03);
+  EXPECT_EQ(mean_of(lit(true), 64, GetParam()), 0.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, NullEventsOf, ::testing::ValuesIn(test::methods_but({})),
                          [](const auto& info) { return test::name_for_tests(info.param); });
 
