@@ -47,7 +47,7 @@ TEST(InverseProbability, WithADiscountIsThatOfEitherOfTwo) {
 /// Roulette beside it changes no mean.
 TEST(InverseProbability, WithADiscountStandsRoulette) {
   constexpr double kOther = 0.02;
-  constexpr double kProbability = 0.01;
+  constexpr double kProbability = 0.03;
   Moments counted;
   for (std::uint64_t i = 0; i < 300000; ++i) {
     const auto succeeds = [&](std::uint64_t number) {

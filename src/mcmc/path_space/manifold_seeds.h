@@ -14,14 +14,14 @@ namespace ajar {
 /// joined to a light by a manifold connection. Holds the scratch memory of one thread.
 class ManifoldSeeds {
  public:
-  /// All must outlive it. `tries`: how often it is tried for each subpath from the camera that may
-  /// run into a light.
+  /// Scene and photons must outlive it. `tries`: how often it is tried for each subpath from the
+  /// camera that may run into a light.
   ManifoldSeeds(const Scene& scene, const SpecularPhotons& photons, const PathBounds& bounds,
                 double tries)
       : scene_(scene),
         bounds_(bounds),
         tries_(tries),
-        growing_(scene, bounds.area),
+        growing_(scene, bounds_.area),
         connection_(scene, photons) {}
 
   /// A path, and ln of what its f is to be multiplied by, so that the sum over all that one try
@@ -56,7 +56,7 @@ class ManifoldSeeds {
   double inverse_chance(const Path& path, double least_hit_share, std::uint64_t key);
 
   const Scene& scene_;
-  const PathBounds& bounds_;
+  PathBounds bounds_;
   double tries_;
   GrowingPath growing_;
   ManifoldConnection connection_;
