@@ -3,6 +3,7 @@
 #include "scene/bsdf/cosine_sampled.h"
 #include "scene/bsdf/fresnel_mirror.h"
 #include "scene/bsdf/microfacet_reflection.h"
+#include "scene/bsdf/under_layer.h"
 
 /// Transparent coats of a dielectric, on whatever is below: both sides of the surface are coated
 /// alike. A coat reflects part of the light and lets the rest through, twice for what the base
@@ -245,55 +246,31 @@ struct CoatedConductorEcho : CosineSampled<CoatedConductorEcho> {
 /// Index of refraction of varnish. Source: KHR_materials_clearcoat.
 inline constexpr float kVarnishIndex = 1.5F;
 
-template <typename Base>
-concept MayBeDiffuse = requires(const Base& base, const Vec3& wo) {
-  base.is_diffuse(wo, 0.F);
-};
-
-/// Any lobe, of which a share is under varnish. KHR_materials_clearcoat weakens it once, by what
-/// the varnish reflects; here that is the more of the two directions, so that the lobe stays
+/// Varnish over a share of the surface. KHR_materials_clearcoat weakens the base once, by what the
+/// varnish reflects; here that is the more of the two directions, so that the base stays
 /// reciprocal, and reflects no more than comes in together with the varnish.
-template <typename Base>
-struct UnderVarnish {
-  static constexpr bool kSpecular = false;
-  static_assert(!Base::kSpecular);
-  Base base;
-  float alpha = 0.F;  ///< of the varnish; 0 for a smooth one
+struct Varnish {
+  float alpha = 0.F;  ///< roughness; 0 for a smooth one
   float share = 1.F;  ///< may be 0
 
-  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode mode) const {
-    LobeValue v = base.evaluate(wo, wi, transmission, mode);
-    v.value *= left(wo, wi);
-    return v;
+  float left(const Vec3& wo, const Vec3& wi) const {
+    if (share == 0.F) return 1.F;
+    // It lets through more where the cosine is larger.
+    return covered(coat().transmittance(std::min(std::abs(wo.z), std::abs(wi.z))));
   }
-  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
-                                   TransportMode mode) const {
-    std::optional<LobeSample> s = base.sample(wo, u, ng, mode);
-    if (s) s->weight *= left(wo, s->wi);
-    return s;
-  }
-  LobeInverse inverse(const Vec3& wo, const Vec3& wi, float u_lobe, const Vec3& ng) const {
-    return base.inverse(wo, wi, u_lobe, ng);
-  }
-  bool is_diffuse(const Vec3& wo, float u_lobe) const requires MayBeDiffuse<Base> {
-    return base.is_diffuse(wo, u_lobe);
-  }
-  Spectrum albedo(const Vec3& wo) const {
-    if (share == 0.F) return base.albedo(wo);
-    const Coat coat = varnish();
-    return base.albedo(wo) *
-           covered(std::min(coat.transmittance(std::abs(wo.z)), coat.mean_transmittance()));
+  float left_albedo(const Vec3& wo) const {
+    if (share == 0.F) return 1.F;
+    const Coat its = coat();
+    return covered(std::min(its.transmittance(std::abs(wo.z)), its.mean_transmittance()));
   }
 
  private:
-  Coat varnish() const { return {kVarnishIndex, alpha}; }
+  Coat coat() const { return {kVarnishIndex, alpha}; }
   float covered(float through) const { return 1.F + share * (through - 1.F); }
-  float left(const Vec3& wo, const Vec3& wi) const {
-    if (share == 0.F) return 1.F;
-    // What the varnish lets through grows with the cosine.
-    return covered(varnish().transmittance(std::min(std::abs(wo.z), std::abs(wi.z))));
-  }
 };
+
+template <typename Base>
+using UnderVarnish = UnderLayer<Base, Varnish>;
 
 /// Both layers smooth: one mirror of what the coat and the metal below it reflect.
 struct CoatedConductorFresnel {

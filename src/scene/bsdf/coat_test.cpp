@@ -182,7 +182,7 @@ TEST(UnderVarnish, IsSeenThroughTheCoatWhereItIs) {
   // That at the flatter of the two directions.
   const float through = 1.F - fresnel_dielectric(wi.z, 1.5F).reflectance;
   const LobeValue bare = metal.evaluate(wo, wi, false, TransportMode::Radiance);
-  const LobeValue under = UnderVarnish<DisneySpecular>{metal, 0.F, 0.4F}.evaluate(
+  const LobeValue under = UnderVarnish<DisneySpecular>{metal, {0.F, 0.4F}}.evaluate(
       wo, wi, false, TransportMode::Radiance);
   EXPECT_NEAR(under.value[0], bare.value[0] * (0.6F + 0.4F * through), 1e-5F * bare.value[0]);
   EXPECT_EQ(under.pdf, bare.pdf);

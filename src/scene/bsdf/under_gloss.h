@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "scene/bsdf/cosine_sampled.h"
+#include "scene/bsdf/under_layer.h"
 
 /// Diffuse bases that get what a gloss above them leaves, as in appendix B of glTF 2.0.
 namespace ajar {
@@ -22,41 +23,20 @@ struct Gloss {
   float taken(float cosine) const;
   /// Mean of `taken` over a hemisphere, weighted by the cosine.
   float mean_taken() const;
-};
 
-/// A lobe that spreads light evenly, weakened by (1 − a(o)) (1 − a(i)) / (1 − ā), where a is what
-/// the gloss has taken and ā its mean. So the base reflects 1 − a(o) of what it does alone: lobe
-/// and gloss never reflect more than comes in, and are reciprocal. Source: Kelemen & Szirmay-Kalos
-/// 2001, "A microfacet based coupled specular-matte BRDF model".
-template <typename Base>
-struct UnderGloss {
-  static constexpr bool kSpecular = false;
-  Base base;
-  Gloss gloss;
-
-  LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode mode) const {
-    LobeValue v = base.evaluate(wo, wi, transmission, mode);
-    v.value *= left(wo, wi);
-    return v;
-  }
-  std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3& ng,
-                                   TransportMode mode) const {
-    std::optional<LobeSample> s = base.sample(wo, u, ng, mode);
-    if (s) s->weight *= left(wo, s->wi);
-    return s;
-  }
-  LobeInverse inverse(const Vec3& wo, const Vec3& wi, float u_lobe, const Vec3& ng) const {
-    return base.inverse(wo, wi, u_lobe, ng);
-  }
-  bool is_diffuse(const Vec3&, float) const { return true; }
-  Spectrum albedo(const Vec3& wo) const { return base.albedo(wo) * left(wo); }
-
- private:
-  float left(const Vec3& w) const { return 1.F - gloss.taken(std::abs(w.z)); }
+  /// (1 − a(o)) (1 − a(i)) / (1 − ā), where a is what the gloss has taken and ā its mean. So an
+  /// even base reflects 1 − a(o) of what it does alone: base and gloss never reflect more than
+  /// comes in, and are reciprocal. Source: Kelemen & Szirmay-Kalos 2001, "A microfacet based
+  /// coupled specular-matte BRDF model".
   float left(const Vec3& wo, const Vec3& wi) const {
-    return left(wo) * left(wi) / (1.F - gloss.mean_taken());
+    return left_albedo(wo) * left_albedo(wi) / (1.F - mean_taken());
   }
+  float left_albedo(const Vec3& w) const { return 1.F - taken(std::abs(w.z)); }
 };
+
+/// A lobe that spreads light evenly, under a gloss.
+template <typename Base>
+using UnderGloss = UnderLayer<Base, Gloss>;
 
 /// Diffuse base under Disney's sheen, which is light that it does not get. Source of the latter:
 /// KHR_materials_sheen, with the larger share of the two directions.

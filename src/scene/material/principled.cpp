@@ -134,13 +134,14 @@ void Principled::add_layers(const Point& p, const Spectrum& scale, Bsdf& bsdf) c
   } else {
     bsdf.add(SmoothCoat{{kVarnishIndex}}, scale * share);
   }
-  bsdf.add(UnderVarnish<DisneySpecular>{{p.facets(), fresnel(p)}, alpha, share}, scale);
+  const Varnish varnish{alpha, share};
+  bsdf.add(UnderVarnish<DisneySpecular>{{p.facets(), fresnel(p)}, varnish}, scale);
 
   const Gloss gloss{p.eta, square(p.roughness), weight(specular_strength_, p.at)};
   const Spectrum base = scale * (1.F - p.metallic);
   const SheenOverLambert reflected(p.color * (1.F - p.behind), sheen(p));
-  bsdf.add(UnderVarnish<UnderGloss<SheenOverLambert>>{{reflected, gloss}, alpha, share}, base);
-  bsdf.add(UnderVarnish<UnderGloss<LambertTransmission>>{{{}, gloss}, alpha, share},
+  bsdf.add(UnderVarnish<UnderGloss<SheenOverLambert>>{{reflected, gloss}, varnish}, base);
+  bsdf.add(UnderVarnish<UnderGloss<LambertTransmission>>{{{}, gloss}, varnish},
            base * p.color * p.behind);
 }
 
