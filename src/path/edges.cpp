@@ -15,18 +15,15 @@ Ray ray_to_endpoint(const Vec3& origin, const Endpoint& endpoint, const Endpoint
 std::optional<Segment> look_along(const Scene& scene, const Path& path, int edge, RayCounts& rays) {
   const Camera& camera = scene.camera();
   const int k = path.depth();
-  if (k == 1) {
-    const Vec3 w = path.toward_light(scene, 1);
-    return connect(scene,
-                   ray_to_endpoint(path.camera_point.surface.p, *path.light, path.light_point, w),
-                   camera.medium, rays);
-  }
+  const bool passes_lights = is_seen_past_lights(scene, path, edge);
   // From the end that is inside the scene.
   if (edge == 0) {
-    const InnerVertex& from = path.vertex(1);
     const Vec3 w = path.toward_light(scene, 1);
-    return connect(scene, ray_to_endpoint(from.ray_origin(w), *path.light, path.light_point, w),
-                   from.medium_toward(w), rays);
+    const Vec3 origin = k == 1 ? path.camera_point.surface.p : path.vertex(1).ray_origin(w);
+    Ray ray = ray_to_endpoint(origin, *path.light, path.light_point, w);
+    ray.passes_lights = passes_lights;
+    return connect(scene, ray, k == 1 ? camera.medium : path.vertex(1).medium_toward(w), rays,
+                   Heading::AwayFromCamera);
   }
   const InnerVertex& from = path.vertex(edge);
   const Vec3 w = path.toward_camera(scene, edge);
@@ -40,16 +37,16 @@ std::optional<Segment> look_along(const Scene& scene, const Path& path, int edge
   if (edge == k - 1 && camera.at_infinity()) {
     ray.t_max = length(path.camera_point.surface.p - from.p());
   }
-  ray.passes_lights = is_seen_past_lights(scene, path, edge);
+  ray.passes_lights = passes_lights;
   return connect(scene, ray, from.medium_toward(w), rays);
 }
 
 bool look_along_all(const Scene& scene, Path& path, RayCounts& rays) {
-  path.segments.clear();
-  for (int edge = 0; edge < path.depth(); ++edge) {
+  path.segments.assign(static_cast<std::size_t>(path.depth()), {});
+  for (int edge = path.depth() - 1; edge >= 0; --edge) {
     const std::optional<Segment> segment = look_along(scene, path, edge, rays);
     if (!segment) return false;
-    path.segments.push_back(*segment);
+    path.segments[static_cast<std::size_t>(edge)] = *segment;
   }
   return true;
 }

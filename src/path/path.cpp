@@ -46,7 +46,7 @@ Vec3 Path::toward_camera(const Scene& scene, int x) const {
 bool is_seen_past_lights(const Scene& scene, const Path& path, int edge) {
   if (!scene.hides_lights()) return false;
   for (int x = path.depth() - 1; x > edge; --x) {
-    if (!path.vertex(x).is_uncounted()) return false;
+    if (!path.vertex(x).is_uncounted() || path.segment(x).counted_interfaces > 0) return false;
   }
   return true;
 }

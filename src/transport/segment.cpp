@@ -158,7 +158,8 @@ bool is_blocked(const Scene& scene, const Ray& ray, RayCounts& rays) {
   return true;
 }
 
-std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium, RayCounts& rays) {
+std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium, RayCounts& rays,
+                               Heading heading) {
   if (!scene.has_interfaces() && !ray.passes_lights) {
     if (is_blocked(scene, ray, rays)) return std::nullopt;
     return unobstructed(scene, ray, medium);
@@ -178,8 +179,12 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
     if (!is_passed(*hit, ray)) return std::nullopt;
     passed_light = passed_light || !(hit->cut_away || hit->is_interface());
     if (adds_edge(*hit)) {
-      // Toward the camera, so that the light is beyond a vertex of its path.
-      if (passed_light) return std::nullopt;
+      // The camera sees lights beyond what is a vertex of its path.
+      if (heading == Heading::AwayFromCamera) {
+        ray.passes_lights = false;
+      } else if (passed_light) {
+        return std::nullopt;
+      }
       ++segment.counted_interfaces;
     }
     cross_medium(medium, ray, hit->t, segment);

@@ -89,8 +89,13 @@ bool is_blocked(const Scene& scene, const Ray& ray, RayCounts& rays);
 /// which only tracing tells.
 std::optional<Segment> unobstructed(const Scene& scene, const Ray& ray, const Medium* medium);
 
+/// Which way a ray that passes lights runs along the path: beyond an interface that counts, as seen
+/// from the camera, lights are met.
+enum class Heading { TowardCamera, AwayFromCamera };
+
 /// The segment between two mutually visible points; empty if a surface that is not an interface
 /// lies between, or a ray cannot be traced.
-std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium, RayCounts& rays);
+std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium, RayCounts& rays,
+                               Heading heading = Heading::TowardCamera);
 
 }  // namespace ajar

@@ -104,9 +104,10 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   if (flight.throughput.is_black()) return false;
   const bool uncounted =
       sample->transmission && sample->pdf.discrete() && vertex.bsdf.is_uncounted(sample->event());
-  flight.surplus = vertex.surplus - (uncounted ? 1 : 0);
   // Vertices that do not count are none to a camera that looks past lights.
-  const bool passes_lights = flight.ray.passes_lights && uncounted;
+  const bool passes_lights =
+      flight.ray.passes_lights && uncounted && vertex.surplus == flight.surplus;
+  flight.surplus = vertex.surplus - (uncounted ? 1 : 0);
   flight.ray = {vertex.ray_origin(sample->wi), sample->wi};
   flight.ray.passes_lights = passes_lights;
   flight.medium = vertex.medium_toward(sample->wi);

@@ -175,6 +175,22 @@ TEST_P(NullEventsOf, LampsThatAreHiddenAreNotDrawnByAnyMethod) {
   EXPECT_EQ(mean_of(lit(true), 64, GetParam()), 0.0);
 }
 
+/// The camera looks past a lamp, but not past what lies beyond a pane that counts.
+TEST_P(NullEventsOf, LampsBeyondWhatCountsAreSeenPastHiddenOnesByAnyMethod) {
+  const auto lamp = [](const std::string& shape, int radiance) {
+    return shape + "<bsdf type='diffuse'><rgb name='reflectance' value='0'/></bsdf>" +
+           "<emitter type='area'><rgb name='radiance' value='" + std::to_string(radiance) +
+           "'/></emitter></shape>";
+  };
+  const std::string scene = integrator("path", 3, true) + view(8, 16) +
+                            lamp("<shape type='sphere'><float name='radius' value='0.5'/>", 5) +
+                            square(6, -1, kNull) +
+                            lamp("<shape type='rectangle'><transform name='to_world'><scale "
+                                 "value='6'/><translate z='-2'/></transform>",
+                                 1);
+  EXPECT_NEAR(mean_of(scene, 64, GetParam()), 1.0, 0.02);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, NullEventsOf, ::testing::ValuesIn(test::methods_but({})),
                          [](const auto& info) { return test::name_for_tests(info.param); });
 

@@ -85,8 +85,10 @@ void GrowingEnd::leave(const Vec3& direction) {
   const InnerVertex& vertex = vertices.back();
   ray_ = {vertex.ray_origin(direction), direction};
   ray_.passes_lights = stream_ == Stream::Camera && scene_.hides_lights() &&
-                       std::all_of(vertices.begin(), vertices.end(),
-                                   [](const InnerVertex& passed) { return passed.is_uncounted(); });
+                       std::ranges::all_of(vertices, &InnerVertex::is_uncounted) &&
+                       std::ranges::all_of(segments, [](const Segment& passed) {
+                         return passed.counted_interfaces == 0;
+                       });
   medium_ = vertex.medium_toward(direction);
 }
 

@@ -146,7 +146,7 @@ bool GrowingPath::finish_through(std::span<const InnerVertex> chain, Path& path)
   if (!area_.contains(path.raster)) return false;
   mark_sides(scene_, path);
   const int first = light.size() - 1;
-  for (int edge = first; edge <= first + static_cast<int>(chain.size()); ++edge) {
+  for (int edge = first + static_cast<int>(chain.size()); edge >= first; --edge) {
     const auto segment = look_along(scene_, path, edge, joints_);
     if (!segment) return false;
     path.segments[static_cast<std::size_t>(edge)] = *segment;
