@@ -1,4 +1,3 @@
-#include <link.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 
@@ -6,24 +5,12 @@
 #include <iterator>
 
 #include "cli/cli_fixture.h"
+#include "post/testing/loaded_library.h"
 
 /// Whatever lies where Open Image Denoise is looked for, the render goes on, and is told why it is
 /// not used.
 namespace ajar {
 namespace {
-
-/// A library that is there, and has none of the functions.
-fs::path another_library() {
-  fs::path found;
-  dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* to) {
-        const std::string name = info->dlpi_name;
-        if (name.find("libstdc++") != std::string::npos) *static_cast<fs::path*>(to) = name;
-        return 0;
-      },
-      &found);
-  return found;
-}
 
 class DenoisingLibrary : public Cli {
  protected:
@@ -63,7 +50,7 @@ TEST_F(DenoisingLibrary, IsPassedOverIfItIsNone) {
 }
 
 TEST_F(DenoisingLibrary, IsPassedOverIfAPartOfItIsCut) {
-  const fs::path library = another_library();
+  const fs::path library = testing::loaded_library();
   if (library.empty()) GTEST_SKIP() << "no library to cut";
   expect_passed_over(library, "has not the functions of version 2");
   std::ifstream whole(library, std::ios::binary);

@@ -1,7 +1,6 @@
 #include "post/denoise/library_file.h"
 
 #include <gtest/gtest.h>
-#include <link.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,23 +10,12 @@
 #include <iterator>
 #include <string>
 
+#include "post/testing/loaded_library.h"
+
 namespace ajar {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A library that is loaded: the standard library's of C++.
-fs::path some_library() {
-  fs::path found;
-  dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* to) {
-        const std::string name = info->dlpi_name;
-        if (name.find("libstdc++") != std::string::npos) *static_cast<fs::path*>(to) = name;
-        return 0;
-      },
-      &found);
-  return found;
-}
 
 class LibraryFile : public ::testing::Test {
  protected:
@@ -42,7 +30,7 @@ class LibraryFile : public ::testing::Test {
 };
 
 TEST_F(LibraryFile, WholeLibrariesAreTaken) {
-  const fs::path library = some_library();
+  const fs::path library = testing::loaded_library();
   if (library.empty()) GTEST_SKIP() << "linked into the program";
   EXPECT_EQ(library_complaint(library), "");
   fs::create_symlink(library, folder_ / "link.so");
@@ -50,7 +38,7 @@ TEST_F(LibraryFile, WholeLibrariesAreTaken) {
 }
 
 TEST_F(LibraryFile, ThoseThatAreCutAnywhereAreNot) {
-  const fs::path library = some_library();
+  const fs::path library = testing::loaded_library();
   if (library.empty()) GTEST_SKIP() << "linked into the program";
   std::ifstream file(library, std::ios::binary);
   const std::string whole{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -70,7 +58,7 @@ TEST_F(LibraryFile, OthersAreNot) {
   EXPECT_EQ(said(""), "it is empty");
   EXPECT_EQ(said("#!/bin/sh\n"), "it is no library");
   EXPECT_EQ(said(std::string(5000, '\0')), "it is no library");
-  const fs::path library = some_library();
+  const fs::path library = testing::loaded_library();
   if (!library.empty()) {
     std::ifstream file(library, std::ios::binary);
     std::string other{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
