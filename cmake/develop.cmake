@@ -36,12 +36,14 @@ target_link_libraries(ajar_crossing_test PRIVATE ajar_test_support GTest::gtest_
 target_compile_definitions(ajar_crossing_test PRIVATE AJAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 # What tests compute is mostly in the libraries, as for the tests of rooms.
 target_compile_options(ajar_crossing_test PRIVATE -O1)
-# The longest of all: begun first, and in two parts, one for each processor of a small machine.
-foreach(part 0 1)
+# The longest of all: begun first, and in parts, so that no processor is left with one.
+set(crossing_parts 8)
+math(EXPR last_part "${crossing_parts} - 1")
+foreach(part RANGE ${last_part})
   add_test(NAME crossing_${part} COMMAND ajar_crossing_test)
   # Two runs of one program would write the same file of results.
   set_tests_properties(crossing_${part} PROPERTIES COST 1000 ENVIRONMENT
-    "GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=${part};GTEST_OUTPUT=json:${CMAKE_BINARY_DIR}/test-results/crossing_${part}.json")
+    "GTEST_TOTAL_SHARDS=${crossing_parts};GTEST_SHARD_INDEX=${part};GTEST_OUTPUT=json:${CMAKE_BINARY_DIR}/test-results/crossing_${part}.json")
 endforeach()
 
 # Kills renders, in forks of a process that must have no threads of its own.
@@ -63,6 +65,8 @@ if(TARGET ajar-mpi)
 endif()
 ajar_compile_quickly(ajar_cli_test)
 add_test(NAME cli COMMAND ajar_cli_test)
+# It waits as much as it works.
+set_tests_properties(cli PROPERTIES COST 2000)
 
 # The report's page in a browser, and a program that writes one to look at.
 add_library(ajar_report_content STATIC tests/report/example_content.cpp)

@@ -379,7 +379,7 @@ TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
     options.parameters = {
         {"omc", "pt"},           {"techniques", "bdpt"}, {"map", "binary"},        {"pilot", pilot},
         {"pilot-samples", "16"}, {"bootstrap", "20000"}, {"importance", "uniform"}};
-    const MeanAndError own = summary(means(*scene, options, 120));
+    const MeanAndError own = summary(means(*scene, options, 80));
     EXPECT_LT(5.0 * own.error, 0.25 * truth.mean) << pilot << ": too noisy to notice a bias";
     return (own.mean - truth.mean) / std::hypot(own.error, truth.error);
   };
