@@ -103,14 +103,19 @@ class AsciiReader {
   AsciiReader(std::string_view text, const std::string& name)
       : text_(text), name_(std::make_shared<const std::string>(name)) {}
 
+  bool begins_with_solid() {
+    next();
+    return is("solid");
+  }
   desc::Mesh read() {
     desc::Mesh mesh;
+    end_ = 0;
     next();
     while (!word_.empty()) {
       expect("solid");
       skip_line();
       next();
-      while (word_ == "facet") read_facet(mesh);
+      while (is("facet")) read_facet(mesh);
       expect("endsolid");
       skip_line();
       next();
@@ -156,8 +161,14 @@ class AsciiReader {
   }
   void skip_line() { end_ = std::min(text_.find('\n', end_), text_.size()); }
 
+  /// Words may be in capitals.
+  bool is(std::string_view keyword) const {
+    return std::ranges::equal(word_, keyword, {}, [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+  }
   void expect(std::string_view keyword) const {
-    if (word_ != keyword) fail("\"" + std::string(keyword) + "\"");
+    if (!is(keyword)) fail("\"" + std::string(keyword) + "\"");
   }
   float number() const {
     // std::from_chars takes no sign in front but a minus.
@@ -190,7 +201,7 @@ class AsciiReader {
 
 StlContents read_stl(std::string_view bytes, const std::string& name) {
   if (is_complete_binary(bytes)) return read_binary(bytes);
-  if (bytes.starts_with("solid")) return {AsciiReader(bytes, name).read(), {}};
+  if (AsciiReader text(bytes, name); text.begins_with_solid()) return {text.read(), {}};
   const SourceLocation where{std::make_shared<const std::string>(name), 0, 0};
   if (bytes.size() < kFirstRecord) {
     throw SceneError(where,

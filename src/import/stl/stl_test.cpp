@@ -98,5 +98,12 @@ TEST(Stl, AsciiErrorsHaveLineAndColumn) {
             "a.stl:2:6: expected \"normal\", found the end of the file");
 }
 
+TEST(Stl, AsciiFilesMayBeginWithSpacesAndBeInCapitals) {
+  EXPECT_EQ(read_stl("\n  " + kAscii, "a.stl").mesh.indices.size(), 1U);
+  std::string capitals = kAscii;
+  for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  EXPECT_EQ(read_stl(capitals, "a.stl").mesh.indices.size(), 1U);
+}
+
 }  // namespace
 }  // namespace ajar
