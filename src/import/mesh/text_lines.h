@@ -8,7 +8,7 @@
 namespace ajar {
 
 /// The lines of a text, with the line ends of any system; a backslash at the end of one joins it
-/// with the next.
+/// with the next, but of comments, which may end with the name of a folder.
 class TextLines {
  public:
   explicit TextLines(std::string_view text) : rest_(text) {
@@ -21,12 +21,12 @@ class TextLines {
     if (rest_.empty()) return false;
     line_ = take();
     number_ = ++lines_;
-    if (!line_.ends_with('\\')) return true;
+    if (is_comment(line_) || !goes_on(line_)) return true;
     joined_.clear();
     for (;; line_ = take(), ++lines_) {
-      const bool goes_on = line_.ends_with('\\');
-      joined_ += line_.substr(0, line_.size() - (goes_on ? 1 : 0));
-      if (!goes_on || rest_.empty()) break;
+      const bool has_next = goes_on(line_);
+      joined_ += has_next ? line_.substr(0, line_.rfind('\\')) : line_;
+      if (!has_next || rest_.empty()) break;
       joined_ += ' ';
     }
     line_ = joined_;
@@ -37,6 +37,18 @@ class TextLines {
   int number() const { return number_; }
 
  private:
+  static constexpr std::string_view kSpace = " \t";
+
+  static bool is_comment(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(kSpace);
+    return first != line.npos && line[first] == '#';
+  }
+  /// Whether the last that is not a space is a backslash.
+  static bool goes_on(std::string_view line) {
+    const std::size_t last = line.find_last_not_of(kSpace);
+    return last != line.npos && line[last] == '\\';
+  }
+
   std::string_view take() {
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
     std::string_view line = rest_.substr(0, end);
