@@ -131,10 +131,16 @@ std::vector<Imath::M44f> Accessors::read_matrices(std::size_t accessor) {
   return read<Imath::M44f>(accessor, kMatrix);
 }
 
+bool Accessors::are_plain_integers(std::size_t accessor) const {
+  return component_type_of(all_[accessor]) != ComponentType::Float &&
+         !all_[accessor].flag_or("normalized", false);
+}
+
 std::vector<Imath::V4f> Accessors::read_colors(std::size_t accessor) {
-  if (all_[accessor].at("type").text() == "VEC4") return read<Imath::V4f>(accessor, 4);
+  constexpr bool kAsShares = true;
+  if (all_[accessor].at("type").text() == "VEC4") return read<Imath::V4f>(accessor, 4, kAsShares);
   std::vector<Imath::V4f> colors;
-  for (const Vec3& color : read_vec3(accessor)) {
+  for (const Vec3& color : read<Vec3>(accessor, 3, kAsShares)) {
     colors.emplace_back(color.x, color.y, color.z, 1.F);
   }
   return colors;
@@ -158,11 +164,13 @@ std::vector<unsigned> Accessors::read_indices(std::size_t accessor) {
 }
 
 template <typename Value>
-std::vector<Value> Accessors::read(std::size_t i, int components) {
+std::vector<Value> Accessors::read(std::size_t i, int components, bool as_shares) {
   const Element& accessor = all_[i];
-  const Layout layout = layout_of(accessor, components);
+  Layout layout = layout_of(accessor, components);
+  layout.normalized |= as_shares;
   take_memory(accessor, layout.count * sizeof(Value));
-  std::vector<Value> values(layout.count);
+  // Zeros where the accessor has no bytes (section 5.1.1); vectors would be left as they are.
+  std::vector<Value> values(layout.count, static_cast<Value>(0.F));
   if (layout.bytes != nullptr) {
     with_type(layout.type, [&]<typename T>(T) {
       const char* bytes = layout.bytes;

@@ -24,8 +24,11 @@ class Accessors {
   std::vector<Imath::V4f> read_vec4(std::size_t accessor);
   /// Of 4 × 4 numbers, for vectors that are multiplied from the left.
   std::vector<Imath::M44f> read_matrices(std::size_t accessor);
-  /// Of three components or four; the fourth is 1 if there is none.
+  /// Of three components or four; the fourth is 1 if there is none. Integers are shares of the
+  /// largest in any case, as colours are nothing else (glTF 2.0, section 3.7.2.1).
   std::vector<Imath::V4f> read_colors(std::size_t accessor);
+  /// Whether the elements are integers that the file does not call normalised.
+  bool are_plain_integers(std::size_t accessor) const;
   /// Tangents of four components, the last of which becomes the handedness of the mesh.
   void read_tangents(std::size_t accessor, desc::Mesh& mesh);
   /// Scalars of an unsigned type. Raises as the others.
@@ -45,7 +48,7 @@ class Accessors {
   /// Where `count` elements of `size` bytes are, checked.
   Layout elements_of(const Element& user, std::size_t count, std::size_t size);
   template <typename Value>
-  std::vector<Value> read(std::size_t accessor, int components);
+  std::vector<Value> read(std::size_t accessor, int components, bool as_shares = false);
   template <typename Value>
   void read_sparse(const Element& accessor, const Layout& base, int components,
                    std::vector<Value>& values);

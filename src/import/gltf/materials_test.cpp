@@ -467,5 +467,32 @@ TEST(GltfMaterials, ReferencesThatLeadNowhereAreErrors) {
       "/baseColorTexture/index: this refers to number 9, but there are 3, counted from 0"));
 }
 
+TEST(GltfMaterials, TexturesWithoutTheirFactorAreToldOf) {
+  const Json texture = {{"index", 0}};
+  const std::vector<std::tuple<const char*, const char*, const char*>> cases = {
+      {"", "emissiveFactor", "emissiveTexture"},
+      {"KHR_materials_transmission", "transmissionFactor", "transmissionTexture"},
+      {"KHR_materials_clearcoat", "clearcoatFactor", "clearcoatTexture"},
+      {"KHR_materials_sheen", "sheenColorFactor", "sheenColorTexture"},
+      {"KHR_materials_diffuse_transmission", "diffuseTransmissionFactor",
+       "diffuseTransmissionTexture"}};
+  for (const auto& [extension, factor, member] : cases) {
+    const bool is_core = std::string_view(extension).empty();
+    const auto told = [&](const Json& members) {
+      TestFile file;
+      file.add("images", {{"uri", "data:image/png;base64,AAAA"}});
+      file.add("textures", {{"source", 0}});
+      file.add_triangle(is_core ? members : Json{{"extensions", {{extension, members}}}});
+      file.json["extensionsUsed"] = {"KHR_materials_clearcoat"};
+      return contains(warnings_of(file), std::string("\"") + member + "\" is multiplied by \"" +
+                                             factor + "\", which is 0 where it is not given");
+    };
+    EXPECT_TRUE(told({{member, texture}})) << member;
+    const Json zero =
+        is_core || factor == std::string_view("sheenColorFactor") ? Json{0, 0, 0} : Json(0);
+    EXPECT_FALSE(told({{member, texture}, {factor, zero}})) << member << ": as the file says";
+  }
+}
+
 }  // namespace
 }  // namespace ajar::gltf

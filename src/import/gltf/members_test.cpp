@@ -67,7 +67,7 @@ TEST(GltfMembers, OfExtensionsHaveTheirPlace) {
   const Json transform = {{"KHR_texture_transform", {{"scale", {2, 2}}}}};
   const auto warnings_with = [&](const char* place, const Json& extensions) {
     TestFile file;
-    file.add_triangle({{"emissiveTexture", {{"index", 0}}}});
+    file.add_triangle({{"emissiveTexture", {{"index", 0}}}, {"emissiveFactor", {1, 1, 1}}});
     file.add("images", {{"uri", "a.png"}});
     file.add("textures", {{"source", 0}});
     file.json[Json::json_pointer(place)]["extensions"] = extensions;

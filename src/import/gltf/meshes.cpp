@@ -21,6 +21,8 @@ constexpr WarningKind kOtherCount{Effect::Surface,
                                   "primitives have not as many colours as vertices: ignored"};
 constexpr WarningKind kNoUvs{Effect::Surface,
                              "primitives have textures, but no texture coordinates for them"};
+constexpr WarningKind kPlainColors{
+    Effect::Slight, "primitives have colours that are integers without \"normalized\""};
 constexpr WarningKind kVertexAlpha{Effect::Surface,
                                    "primitives have vertices that are partly clear: opaque"};
 
@@ -111,6 +113,11 @@ std::optional<VertexColors> Meshes::make_colors(const Element& attributes, const
                           "there are " + std::to_string(colors.size()) + " colours for " +
                               std::to_string(vertices) + " vertices: ignored");
     return std::nullopt;
+  }
+  if (accessors_.are_plain_integers(accessors_.index_of(reference))) {
+    context_.warnings.add(kPlainColors, reference.where(),
+                          "these colours are integers without \"normalized\": taken as shares of "
+                          "the largest");
   }
   Vec3d sum(0.0);
   for (const Imath::V4f& color : colors) sum += Vec3d(color.x, color.y, color.z);

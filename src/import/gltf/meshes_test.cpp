@@ -302,5 +302,48 @@ TEST(GltfMeshes, TangentsWithoutNormalsDoNotCount) {
   EXPECT_EQ(with_signs({1, 1, 1}, true, {0, 1, 1, 1, 0, 0}).tangents.size(), 3U);
 }
 
+TEST(GltfMeshes, ElementsWithoutBytesAreZero) {
+  TestFile file = five_corners();
+  Json attributes = file.json["extras"]["attributes"];
+  attributes["TEXCOORD_0"] =
+      file.add("accessors", {{"componentType", 5126}, {"type", "VEC2"}, {"count", 5}});
+  const std::size_t indices = file.add_view(bytes_of<std::uint8_t>({1}));
+  const std::size_t values = file.add_view(bytes_of<float>({7, 8, 9}));
+  attributes["NORMAL"] =
+      file.add("accessors", {{"componentType", 5126},
+                             {"type", "VEC3"},
+                             {"count", 5},
+                             {"sparse",
+                              {{"count", 1},
+                               {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                               {"values", {{"bufferView", values}}}}}});
+  const desc::SceneDesc scene = scene_of(file_of({{"attributes", attributes}}, file));
+  EXPECT_EQ(mesh_of(scene).uvs, std::vector<Vec2>(5, Vec2(0.F, 1.F)));
+  EXPECT_EQ(mesh_of(scene).normals,
+            (std::vector<Vec3>{Vec3(0.F), {7, 8, 9}, Vec3(0.F), Vec3(0.F), Vec3(0.F)}));
+}
+
+TEST(GltfMeshes, ColorsOfIntegersAreSharesWhateverTheFileSays) {
+  TestFile file = five_corners();
+  Json attributes = file.json["extras"]["attributes"];
+  attributes["COLOR_0"] =
+      file.add_accessor(bytes_of<std::uint8_t>({51,  102, 153, 255, 51,  102, 153, 255, 51,  102,
+                                                153, 255, 51,  102, 153, 255, 51,  102, 153, 255}),
+                        5121, "VEC4", 5);
+  const TestFile whole = file_of({{"attributes", attributes}}, file);
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(whole.text(), warnings);
+  ASSERT_EQ(scene.embedded_files.size(), 1U);
+  EXPECT_TRUE(contains(lines_of(warnings),
+                       "#/meshes/0/primitives/0/attributes/COLOR_0: these "
+                       "colours are integers without \"normalized\""));
+  file.json["accessors"][file.json["accessors"].size() - 1]["normalized"] = true;
+  Warnings none;
+  const desc::SceneDesc same =
+      import_with(file_of({{"attributes", attributes}}, file).text(), none);
+  EXPECT_EQ(*scene.embedded_files.begin()->second, *same.embedded_files.begin()->second);
+  expect_none(none);
+}
+
 }  // namespace
 }  // namespace ajar::gltf

@@ -26,6 +26,8 @@ constexpr WarningKind kWeakGlass{Effect::Slight,
 constexpr WarningKind kSheen{Effect::Slight, "materials have a sheen: another one stands in"};
 constexpr WarningKind kDiffuseTransmission{
     Effect::Surface, "materials let light shine through diffusely: in their base colour"};
+constexpr WarningKind kNoFactor{Effect::Surface,
+                                "textures have no factor, which then is 0: they are not seen"};
 constexpr WarningKind kInfiniteIndex{Effect::Slight, "materials have an index of refraction of 0"};
 
 /// What an extension adds to a material, unless the member is 0, and what is said where it cannot.
@@ -143,6 +145,7 @@ desc::MaterialId SurfaceReader::unlit(const Element& pbr) {
 
 desc::MaterialId SurfaceReader::with_transmission(desc::MaterialId opaque,
                                                   const Element& transmission, const Element& pbr) {
+  warn_of_unseen(transmission, "transmissionFactor", "transmissionTexture");
   const desc::Value share =
       textures_.number(transmission, "transmissionTexture",
                        clamped_number(transmission, "transmissionFactor", 0.0), Channel::Red);
@@ -234,6 +237,7 @@ void SurfaceReader::warn_of_volume() {
 void SurfaceReader::set_clearcoat(desc::Node& node) {
   const auto coat = material_.extension("KHR_materials_clearcoat");
   if (!coat) return;
+  warn_of_unseen(*coat, "clearcoatFactor", "clearcoatTexture");
   const float strength = clamped_number(*coat, "clearcoatFactor", 0.0);
   if (strength == 0.F) return;
   node.set("coat", textures_.number(*coat, "clearcoatTexture", strength, Channel::Red));
@@ -246,6 +250,7 @@ void SurfaceReader::set_clearcoat(desc::Node& node) {
 void SurfaceReader::set_sheen(desc::Node& node) {
   const auto sheen = material_.extension("KHR_materials_sheen");
   if (!sheen) return;
+  warn_of_unseen(*sheen, "sheenColorFactor", "sheenColorTexture");
   const Vec3 color =
       clamped_color(*sheen, "sheenColorFactor", sheen->vector_or("sheenColorFactor", Vec3(0.F)));
   const float strength = std::max({color.x, color.y, color.z});
@@ -259,6 +264,7 @@ void SurfaceReader::set_sheen(desc::Node& node) {
 void SurfaceReader::set_diffuse_transmission(desc::Node& node) {
   const auto transmission = material_.extension("KHR_materials_diffuse_transmission");
   if (!transmission) return;
+  warn_of_unseen(*transmission, "diffuseTransmissionFactor", "diffuseTransmissionTexture");
   const float share = clamped_number(*transmission, "diffuseTransmissionFactor", 0.0);
   if (share == 0.F) return;
   context_.warnings.add(kDiffuseTransmission, transmission->where(),
@@ -317,7 +323,15 @@ desc::MediumId SurfaceReader::read_medium(const Element& volume) {
   return static_cast<desc::MediumId>(context_.scene.media.size()) - 1;
 }
 
+void SurfaceReader::warn_of_unseen(const Element& holder, const char* factor, const char* texture) {
+  if (!holder.has(texture) || holder.has(factor)) return;
+  context_.warnings.add(kNoFactor, holder.at(texture).where(),
+                        "\"" + std::string(texture) + "\" is multiplied by \"" + factor +
+                            "\", which is 0 where it is not given: not seen");
+}
+
 void SurfaceReader::read_emission() {
+  warn_of_unseen(material_, "emissiveFactor", "emissiveTexture");
   const auto extension = material_.extension("KHR_materials_emissive_strength");
   const float strength = extension ? extension->number_or("emissiveStrength", 1.0) : 1.F;
   const Vec3 scale = material_.vector_or("emissiveFactor", Vec3(0.F)) * strength;

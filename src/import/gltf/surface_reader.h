@@ -38,6 +38,8 @@ class SurfaceReader {
   desc::Value specular_strength();
   desc::MediumId read_medium(const Element& volume);
   void read_emission();
+  /// Tells of a texture whose factor is 0 only because it is not given.
+  void warn_of_unseen(const Element& holder, const char* factor, const char* texture);
   /// Normals for all materials from number `first_made` on.
   void read_normals(std::size_t first_made);
 
