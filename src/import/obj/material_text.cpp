@@ -23,6 +23,8 @@ bool contains(const Names& names, std::string_view name) {
 
 constexpr std::string_view kColors[] = {"Ka", "Kd", "Ks", "Ke", "Kt", "Tf"};
 constexpr std::string_view kShares[] = {"Kd", "Ks", "Kt", "Tf"};
+/// Words of what is seen, unless it is black.
+constexpr std::string_view kVisible[] = {"Kd", "map_Kd", "Ks", "map_Ks", "Ke", "map_Ke"};
 constexpr std::string_view kNumbers[] = {"Ni", "Ns", "d", "Tr", "Pr", "Pm", "illum"};
 
 class Text {
@@ -42,9 +44,11 @@ class Text {
     } else if (contains(kNumbers, keyword) && !has_number(keyword, words.rest())) {
       return;
     } else if (names_image(keyword)) {
-      words_.insert(keyword);
-      return append(keyword + " " + in_full(image_words(words.rest())));
+      const ImageWords image = image_words(words.rest());
+      if (!image.file.empty()) words_.insert(keyword);
+      return append(keyword + " " + in_full(image));
     }
+    if (keyword == "illum") illum_ = number_in(LineWords(words.rest()).word()).value_or(0.F);
     if (!keyword.empty()) words_.insert(keyword);
     append(line);
   }
@@ -67,11 +71,27 @@ class Text {
   }
 
   void end_material() {
-    if (words_.contains("map_Kd") && !words_.contains("Kd")) append("Kd 1 1 1");
+    const bool is_hidden = words_.contains("map_Kd") && black_.contains("Kd");
+    if (is_hidden) append(std::string(kHiddenImage) + " 1");
+    if (words_.contains("map_Kd") && (is_hidden || !words_.contains("Kd"))) append("Kd 1 1 1");
+    if (words_.contains("newmtl") && !has_color() && !may_be_glass()) {
+      append(std::string(kColorless) + " 1\nKd 0.6 0.6 0.6");
+    }
     if (words_.contains("map_Ks") && !words_.contains("Ks")) append("Ks 1 1 1");
     const bool has_gloss = words_.contains("Ks") || words_.contains("map_Ks");
     if (has_gloss && !words_.contains("illum")) append("illum 2");
     words_.clear();
+    black_.clear();
+    illum_ = 0.F;
+  }
+  bool has_color() const {
+    return std::any_of(std::begin(kVisible), std::end(kVisible), [&](std::string_view word) {
+      return words_.contains(word) && (word == "Kd" || !black_.contains(word));
+    });
+  }
+  bool may_be_glass() const {
+    const bool is_clear = words_.contains("d") || words_.contains("Tr");
+    return illum_ == 6.F || illum_ == 7.F || ((illum_ == 4.F || illum_ == 9.F) && is_clear);
   }
 
   bool has_number(const std::string& keyword, std::string_view values) {
@@ -100,6 +120,17 @@ class Text {
       warnings_.add(kRange, where_, "\"" + keyword + "\" must be between 0 and 1: clamped",
                     keyword);
     }
+    if (numbers.size() == 2) {
+      warnings_.add(kNoNumber, where_,
+                    "\"" + keyword + "\" has two numbers, not one or three: the third is 0",
+                    keyword);
+    }
+    const bool is_black = std::ranges::all_of(numbers, [](float v) { return v == 0.F; });
+    if (is_black) {
+      black_.insert(keyword);
+    } else {
+      black_.erase(keyword);
+    }
     if (numbers.size() > 1) return append(line);
     const std::string grey(LineWords(values).word());
     append(keyword + " " + grey + " " + grey + " " + grey);
@@ -110,6 +141,8 @@ class Text {
   SourceLocation where_;  ///< of the line
   std::string text_;
   std::set<std::string, std::less<>> words_;  ///< of the material
+  std::set<std::string, std::less<>> black_;  ///< colours of it
+  float illum_ = 0.F;
   std::set<std::string, std::less<>> materials_;
 };
 

@@ -6,10 +6,16 @@
 
 namespace ajar::obj {
 
+/// Words of our own in it, for what is told of the materials that a face has: an image whose
+/// colour is black, and a material without any colour.
+inline constexpr char kHiddenImage[] = "ajar_hidden_image";
+inline constexpr char kColorless[] = "ajar_colorless";
+
 /// A material file with what tinyobjloader takes in another way said as it takes it:
 ///
 /// - one number for a colour is a grey, not a red,
-/// - an image without its factor has the factor 1,
+/// - an image of `Kd` without its factor, or with a black one, has the factor 1,
+/// - a material without any colour is light grey,
 /// - `-o` and `-s` of an image may have one or two numbers, and options may follow its name; those
 ///   of which nothing comes are left out,
 /// - a colour of gloss without `illum` is a material with gloss.

@@ -13,6 +13,7 @@ struct Surface {
   desc::MaterialId material = desc::kNone;
   desc::TextureId alpha = desc::kNone;
   std::optional<desc::Emission> emission;
+  bool has_images = false;
 };
 
 /// The materials of a scene, each made when it is first asked for.

@@ -18,6 +18,8 @@ namespace {
 constexpr WarningKind kUnread{Effect::Geometry, "kinds of lines of OBJ files are not read"};
 constexpr WarningKind kNumbers{Effect::Slight,
                                "vertices of OBJ files have numbers that are not read"};
+constexpr WarningKind kNoUvs{Effect::Surface,
+                             "faces have images, but no texture coordinates for them"};
 constexpr WarningKind kColors{Effect::Surface,
                               "shapes have colours of vertices beside a material: not shown"};
 
@@ -48,6 +50,12 @@ void add_shape(ObjPart& part, obj::Materials& materials, desc::SceneDesc& scene,
                  printable_line(part.material));
   }
   const obj::Surface& surface = materials.of(part.material, part.where);
+  if (surface.has_images && part.mesh.uvs.empty()) {
+    warnings.add(kNoUvs, part.where,
+                 "faces from here on have no texture coordinates, which the images of \"" +
+                     printable_line(part.material) + "\" use: each triangle shows half of an image",
+                 printable_line(part.material));
+  }
   shape.node = desc::mesh_node(std::make_shared<desc::Mesh>(std::move(part.mesh)));
   shape.material = surface.material;
   shape.alpha = surface.alpha;

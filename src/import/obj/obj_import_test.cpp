@@ -145,7 +145,8 @@ TEST(Obj, ValuesOfMaterialsThatAreNoneAreWarnings) {
 }
 
 TEST(Obj, NormalMapsAreVectorsAndBumpsAreWarnings) {
-  const Files files = {{"/scene/a.mtl", "newmtl m\nd .5\nnorm n.png\n"}, {"/scene/n.png", ""}};
+  const Files files = {{"/scene/a.mtl", "newmtl m\nKd 1 1 1\nd .5\nnorm n.png\n"},
+                       {"/scene/n.png", ""}};
   const desc::SceneDesc scene = scene_of(kTexturedFace, files);
   const desc::Node& mix =
       scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material)).node;
@@ -181,15 +182,15 @@ TEST(Obj, WhatAMaterialHasNoPlaceForIsAWarning) {
             "a.mtl:1:1: the gloss is that of \"Pr\" and \"Pm\", without \"Ks\", \"Ns\"\n");
   EXPECT_EQ(warnings_with("Kd 1 1 1\nKs .5 .5 .5\nPr .3\nillum 1\n"), "");
   for (const char* word : {"Tf", "Kt"}) {
-    EXPECT_EQ(warnings_with(std::string(word) + " .5 .5 .5\nillum 2\n"),
+    EXPECT_EQ(warnings_with(std::string(word) + " .5 .5 .5\nillum 2\nKd 1 1 1\n"),
               "a.mtl:1:1: \"Tf\" is only supported in glass, of \"illum\" 6 and 7: ignored\n");
-    EXPECT_EQ(warnings_with(std::string(word) + " 1 1 1\nillum 2\n"), "");
+    EXPECT_EQ(warnings_with(std::string(word) + " 1 1 1\nillum 2\nKd 1 1 1\n"), "");
   }
 }
 
 TEST(Obj, NormalMapsTiltAsMuchAsTheySay) {
   const auto strength = [](const std::string& line) {
-    const desc::SceneDesc scene = with_material("norm " + line + "\n");
+    const desc::SceneDesc scene = with_material("Kd 1 1 1\nnorm " + line + "\n");
     return scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material))
         .normal_map.strength;
   };
@@ -267,7 +268,7 @@ TEST(Obj, OptionsOfImagesAreRead) {
   for (const auto& [letter, channel] :
        {std::pair("r", "red"), {"g", "green"}, {"b", "blue"}, {"m", "alpha"}, {"l", "luminance"}}) {
     const desc::SceneDesc scene =
-        with_material("Pr 1\nmap_Pr -imfchan " + std::string(letter) + " rough.png\n");
+        with_material("Kd 1 1 1\nPr 1\nmap_Pr -imfchan " + std::string(letter) + " rough.png\n");
     const desc::Node& node =
         scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material)).node;
     EXPECT_EQ(texture_at(scene, node.texture("roughness")).text("channel"), channel);
@@ -362,6 +363,70 @@ TEST(Obj, WordsOfMaterialsThatMeanNothingHereAreWarnings) {
   EXPECT_FALSE(contains(text, "\"Ps\"") || contains(text, "aniso") || contains(text, "-bm") ||
                contains(text, "-boost"))
       << text;
+}
+
+TEST(Obj, CommentsThatEndWithABackslashEndThere) {
+  EXPECT_EQ(mesh_of(scene_of("# C:\\models\\\n" + kSquare + "f 1 2 3 4\n")).indices.size(), 2U);
+  EXPECT_EQ(material_of(" # C:\\models\\\nKd .2 .4 .6\n").color("reflectance"),
+            Vec3(0.2F, 0.4F, 0.6F));
+}
+
+TEST(Obj, LinesGoOnAfterABackslashThatSpacesFollow) {
+  EXPECT_EQ(mesh_of(scene_of(kSquare + "f 1 2\\ \t\n 3\\\n4\n")).indices.size(), 2U);
+}
+
+/// Warnings of a face with texture coordinates, and its diffuse material.
+struct Told {
+  std::string warnings;
+  desc::Node material;
+};
+Told told_of(const std::string& description) {
+  const Files files = {{"/scene/a.mtl", "newmtl m\n" + description}};
+  Warnings warnings;
+  const desc::SceneDesc scene = import_with(kTexturedFace, warnings, files);
+  return {lines_of(warnings),
+          scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material)).node};
+}
+
+TEST(Obj, ImagesWithABlackFactorAreShownWithoutIt) {
+  const Told hidden = told_of("illum 1\nKd 0.00 0.00 0.00\nmap_Kd a.png\n");
+  EXPECT_TRUE(contains(hidden.warnings, "a.mtl:1:1: \"Kd\" is black, which would hide the image"));
+  EXPECT_TRUE(std::holds_alternative<desc::TextureRef>(hidden.material.get("reflectance")));
+  const Told dark = told_of("illum 1\nKd 0.1 0 0\nmap_Kd a.png\n");
+  EXPECT_FALSE(contains(dark.warnings, "is black"));
+  const Told plain = told_of("illum 1\nKd 0 0 0\n");
+  EXPECT_EQ(plain.warnings, "") << "black is a colour";
+  EXPECT_EQ(plain.material.color("reflectance"), Vec3(0.F));
+  EXPECT_FALSE(contains(told_of("Kd 0 0 0\nmap_Kd \n").warnings, "is black")) << "no image";
+}
+
+TEST(Obj, MaterialsWithoutAnyColorAreGrey) {
+  const Told empty = told_of("Ns 10\nKs 0 0 0\n");
+  EXPECT_EQ(empty.warnings, "a.mtl:1:1: this material has no colour: a light grey stands in\n");
+  EXPECT_EQ(empty.material.color("reflectance"), Vec3(0.6F));
+  for (const char* colored :
+       {"Kd 0 0 0\n", "Ks 1 1 1\n", "Ke 2 2 2\n", "illum 7\n", "illum 4\nd .5\n"}) {
+    EXPECT_EQ(told_of(colored).warnings, "") << colored;
+  }
+}
+
+TEST(Obj, OddMaterialsAreToldOf) {
+  EXPECT_TRUE(contains(told_of("Kd .2 .4\n").warnings, "a.mtl:2:1: \"Kd\" has two numbers"));
+  for (const char* clear : {"Kd 1 1 1\nTr 1.0\n", "Kd 1 1 1\nd 0\n"}) {
+    EXPECT_TRUE(
+        contains(told_of(clear).warnings,
+                 "a.mtl:1:1: nothing of this material is seen, as \"d\" is 0 or \"Tr\" is 1"))
+        << clear;
+  }
+}
+
+TEST(Obj, ImagesOnFacesWithoutCoordinatesAreToldOf) {
+  const Files files = {{"/scene/a.mtl", "newmtl m\nKd 1 1 1\nmap_Kd a.png\n"}};
+  EXPECT_EQ(warnings_of(kFace, files),
+            "test.obj:7: faces from here on have no texture coordinates, which the images of "
+            "\"m\" use: each triangle shows half of an image\n");
+  EXPECT_EQ(warnings_of(kTexturedFace, files), "");
+  EXPECT_EQ(warnings_of(kTexturedFace + "f 1 2 4\n", files).substr(0, 11), "test.obj:11");
 }
 
 }  // namespace

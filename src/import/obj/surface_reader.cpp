@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/printable_text.h"
 #include "import/common/opacity.h"
+#include "import/obj/material_text.h"
 #include "scene/desc/models.h"
 
 namespace ajar::obj {
@@ -20,6 +21,11 @@ constexpr WarningKind kGlassWords{Effect::Surface,
 constexpr WarningKind kOldGloss{Effect::Slight,
                                 "materials have a gloss beside \"Pr\" or \"Pm\": ignored"};
 constexpr WarningKind kFilter{Effect::Surface, "opaque materials have a filter: ignored"};
+constexpr WarningKind kHidden{Effect::Surface,
+                              "images have a factor of black, which would hide them: without it"};
+constexpr WarningKind kNoColor{Effect::Surface, "materials have no colour: a light grey stands in"};
+constexpr WarningKind kUnseen{Effect::Surface,
+                              "materials are fully clear: nothing of them is seen"};
 constexpr WarningKind kNoImage{Effect::Surface, "images cannot be found: left out"};
 
 desc::Rgb reflectance_of(const tinyobj::real_t (&rgb)[3]) {
@@ -88,6 +94,15 @@ Surface SurfaceReader::read() {
                       ": a material with gloss stands in",
                   printable_line(values_.name));
   }
+  if (values_.unknown_parameter.contains(kHiddenImage)) {
+    warnings_.add(kHidden, where_,
+                  "\"Kd\" is black, which would hide the image of \"map_Kd\": it is shown as it is",
+                  printable_line(values_.name));
+  }
+  if (values_.unknown_parameter.contains(kColorless)) {
+    warnings_.add(kNoColor, where_, "this material has no colour: a light grey stands in",
+                  printable_line(values_.name));
+  }
   surface.material = add_material(is_glass() ? glass() : base());
   if (const auto normals =
           add_image(values_.normal_texname, values_.normal_texopt, "color", false, 1.F)) {
@@ -99,6 +114,7 @@ Surface SurfaceReader::read() {
   warn_of_unused();
   if (!is_glass()) set_opacity(surface);
   set_emission(surface);
+  surface.has_images = has_images_;
   if (!values_.bump_texname.empty()) {
     warnings_.add(kBump, where_, "bump maps, whose height has no unit, are ignored",
                   printable_line(values_.name));
@@ -198,6 +214,11 @@ void SurfaceReader::set_opacity(Surface& surface) {
   const desc::Value opacity = number(share_of(values_.dissolve), values_.alpha_texname,
                                      values_.alpha_texopt, is_shared ? "alpha" : "color");
   if (opacity == desc::Value(1.F)) return;
+  if (opacity == desc::Value(0.F)) {
+    // Some programs write a "Tr" of 1 for what is opaque.
+    warnings_.add(kUnseen, where_, "nothing of this material is seen, as \"d\" is 0 or \"Tr\" is 1",
+                  printable_line(values_.name));
+  }
   const PartlyClear partly =
       with_opacity(scene_, {.name = values_.name, .where = where_}, surface.material, opacity);
   surface.material = partly.material;
@@ -240,6 +261,7 @@ std::optional<desc::TextureId> SurfaceReader::add_image(const std::string& image
   const bool is_stretched = options.brightness != 0.F || options.contrast != 1.F;
   try {
     const std::string path = files_.resolve_inside(image, where_);
+    has_images_ = true;
     return add_texture(
         desc::texture_node("image", {{"file", path},
                                      {"channel", channel},

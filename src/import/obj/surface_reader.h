@@ -43,6 +43,7 @@ class SurfaceReader {
   desc::SceneDesc& scene_;
   FileAccess& files_;
   Warnings& warnings_;
+  bool has_images_ = false;
 };
 
 }  // namespace ajar::obj
