@@ -31,8 +31,22 @@ class HdrReader {
     read_size(read_line());
   }
 
-  int width() const { return width_; }
-  int height() const { return height_; }
+  int width() const { return is_turned_ ? rows_ : columns_; }
+  int height() const { return is_turned_ ? columns_ : rows_; }
+  /// Stored ones: of the picture, or its columns.
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  bool runs_from_top_left() const { return !is_turned_ && goes_down_ && goes_right_; }
+
+  /// Where the pixel `column` of a stored row is in the picture, row by row.
+  std::size_t place_of(int row, int column) const {
+    const int along_y = is_turned_ ? column : row;
+    const int along_x = is_turned_ ? row : column;
+    const int y = goes_down_ ? along_y : height() - 1 - along_y;
+    const int x = goes_right_ ? along_x : width() - 1 - along_x;
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) +
+           static_cast<std::size_t>(x);
+  }
 
   void read_row(std::vector<Rgbe>& row) {
     constexpr int kLeast = 8;
@@ -40,9 +54,9 @@ class HdrReader {
     Rgbe first{};
     read(first);
     const bool is_new =
-        width_ >= kLeast && width_ <= kMost && first[0] == 2 && first[1] == 2 && first[2] < 128;
+        columns_ >= kLeast && columns_ <= kMost && first[0] == 2 && first[1] == 2 && first[2] < 128;
     if (is_new) {
-      if (first[2] * 256 + first[3] != width_) fail("a row has another length");
+      if (first[2] * 256 + first[3] != columns_) fail("a row has another length");
       read_planes(row);
     } else {
       read_pixels(first, row);
@@ -68,11 +82,20 @@ class HdrReader {
     return line;
   }
 
+  /// Two signed axes with their lengths, as "-Y 2 +X 3": the second is along the stored rows.
   void read_size(std::string_view text) {
-    const std::size_t second = text.find(" +X ");
-    if (!text.starts_with("-Y ") || second == std::string_view::npos) {
-      throw ForeignImage("an HDR that does not run from the top left");
-    }
+    const std::size_t second = text.find_first_of("+-", 1);
+    const auto axis = [&](std::size_t place) {
+      const bool is_axis = place < text.size() && text.substr(place).size() > 3 &&
+                           (text[place] == '+' || text[place] == '-') && text[place + 2] == ' ';
+      return is_axis ? text[place + 1] : ' ';
+    };
+    const char slow = axis(0);
+    const char fast = axis(second);
+    if ((slow != 'Y' || fast != 'X') && (slow != 'X' || fast != 'Y')) fail("it has no size");
+    is_turned_ = slow == 'X';
+    goes_right_ = text[is_turned_ ? 0 : second] == '+';
+    goes_down_ = text[is_turned_ ? second : 0] == '-';
     const auto number = [&](std::string_view digits) {
       int value = 0;
       const auto [end, error] =
@@ -82,8 +105,9 @@ class HdrReader {
       }
       return value;
     };
-    height_ = number(text.substr(3, second - 3));
-    width_ = number(text.substr(second + 4));
+    const std::size_t end = text.find_last_not_of(' ', second - 1) + 1;
+    rows_ = number(text.substr(3, end - 3));
+    columns_ = number(text.substr(second + 3));
   }
 
   /// Each component of the row by itself, in runs.
@@ -120,8 +144,11 @@ class HdrReader {
   }
 
   File file_;
-  int width_ = 0;
-  int height_ = 0;
+  int rows_ = 0;
+  int columns_ = 0;
+  bool is_turned_ = false;  ///< stored column by column
+  bool goes_down_ = true;   ///< as y grows, with the next row or within it
+  bool goes_right_ = true;
 };
 
 class HdrDecoder final : public ImageDecoder {
@@ -140,38 +167,64 @@ class HdrDecoder final : public ImageDecoder {
   std::uint64_t pixel_bytes() const override { return 3 * sizeof(float); }
   bool is_read_in_parts() const override { return true; }
   std::uint64_t working_bytes() const override {
-    return static_cast<std::uint64_t>(header().width) * (sizeof(Rgbe) + pixel_bytes());
+    const std::uint64_t row =
+        static_cast<std::uint64_t>(reader_->columns()) * (sizeof(Rgbe) + pixel_bytes());
+    return row + (reader_->runs_from_top_left() ? 0 : header().pixels() * sizeof(Rgbe));
   }
   int block_height() const override { return 64; }
 
   void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
                  void* values) override {
+    const auto width = static_cast<std::size_t>(header().width);
+    const ChannelPicker picker(3, first_channel, channels, type);
+    floats_.resize(3 * width);
+    if (!reader_->runs_from_top_left()) {
+      if (whole_.empty()) read_whole();
+      for (int y = first; y < first + rows; ++y) {
+        pick(picker, whole_.data() + static_cast<std::size_t>(y) * width, width, values);
+      }
+      return;
+    }
     if (first < next_) {
       reader_ = std::make_unique<HdrReader>(path_);
       next_ = 0;
     }
-    const auto width = static_cast<std::size_t>(header().width);
-    const ChannelPicker picker(3, first_channel, channels, type);
     row_.resize(width);
-    floats_.resize(3 * width);
     for (; next_ < first + rows; ++next_) {
       reader_->read_row(row_);
       if (next_ < first) continue;
-      for (std::size_t x = 0; x < width; ++x) {
-        const Rgbe& pixel = row_[x];
-        const float scale = pixel[3] == 0 ? 0.F : std::ldexp(1.F, pixel[3] - (128 + 8));
-        for (std::size_t c = 0; c < 3; ++c)
-          floats_[3 * x + c] = static_cast<float>(pixel[c]) * scale;
-      }
-      picker.pick(floats_.data(), width, values);
+      pick(picker, row_.data(), width, values);
     }
   }
 
  private:
+  void pick(const ChannelPicker& picker, const Rgbe* row, std::size_t width, void*& values) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const Rgbe& pixel = row[x];
+      const float scale = pixel[3] == 0 ? 0.F : std::ldexp(1.F, pixel[3] - (128 + 8));
+      for (std::size_t c = 0; c < 3; ++c) floats_[3 * x + c] = static_cast<float>(pixel[c]) * scale;
+    }
+    picker.pick(floats_.data(), width, values);
+  }
+
+  /// The picture row by row from the top left, whatever the file has.
+  void read_whole() {
+    std::vector<Rgbe> whole(static_cast<std::size_t>(header().pixels()));
+    row_.resize(static_cast<std::size_t>(reader_->columns()));
+    for (int i = 0; i < reader_->rows(); ++i) {
+      reader_->read_row(row_);
+      for (int j = 0; j < reader_->columns(); ++j) {
+        whole[reader_->place_of(i, j)] = row_[static_cast<std::size_t>(j)];
+      }
+    }
+    whole_ = std::move(whole);
+  }
+
   std::string path_;
   std::unique_ptr<HdrReader> reader_;
   int next_ = 0;
   std::vector<Rgbe> row_;
+  std::vector<Rgbe> whole_;  ///< of files that do not run from the top left
   std::vector<float> floats_;
 };
 
