@@ -68,7 +68,7 @@ bool set_camera(Context& context, const std::vector<PlacedNode>& nodes) {
     }
     found = true;
     context.scene.camera.where = camera.where();
-    context.scene.camera.to_world = turned_around(placed.to_world);
+    context.scene.camera.to_world = turned_around(without_scale(placed.to_world));
     const Element type = camera.at("type");
     if (const std::string name = type.text(); name == "perspective") {
       set_perspective(camera.at("perspective"), context.scene);

@@ -66,7 +66,8 @@ void add_lights(Context& context, const std::vector<PlacedNode>& nodes) {
     added.where = light.where();
     added.node = std::move(node);
     // Spots shine along −z here and along +z there; a `distant` light comes from +z in both.
-    added.to_world = added.node.is("spot") ? turned_around(placed.to_world) : placed.to_world;
+    added.to_world = without_scale(placed.to_world);
+    if (added.node.is("spot")) added.to_world = turned_around(added.to_world);
     if (light.has("range")) {
       context.warnings.add(kLightRange, light.where(), "the range of this light is ignored");
     }

@@ -153,6 +153,25 @@ std::vector<Mat4> places_of_mesh(const PlacedNode& placed, Accessors& accessors)
   return places;
 }
 
+Mat4 without_scale(const Mat4& to_world) {
+  const auto axis = [&](int i) { return Vec3d(to_world[i][0], to_world[i][1], to_world[i][2]); };
+  const Vec3d z = axis(2).normalized();
+  const Vec3d y = (axis(1) - z * axis(1).dot(z)).normalized();
+  const Vec3d axes[3] = {y.cross(z), y, z};
+  constexpr double kRounding = 1e-6;
+  double change = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    if (!(axes[i].length2() > 0.5)) return to_world;
+    change = std::max(change, (axes[i] - axis(i)).length());
+  }
+  if (change < kRounding) return to_world;
+  Mat4 rigid = to_world;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) rigid[i][j] = axes[i][j];
+  }
+  return rigid;
+}
+
 Mat4 turned_around(const Mat4& to_world) {
   Mat4 mirror;
   mirror.setScale(Vec3d(1.0, 1.0, -1.0));

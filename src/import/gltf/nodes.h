@@ -19,6 +19,11 @@ std::vector<PlacedNode> place_nodes(const Element& root);
 /// Where the mesh of a node is: in one place, or where EXT_mesh_gpu_instancing has it.
 std::vector<Mat4> places_of_mesh(const PlacedNode& placed, Accessors& accessors);
 
+/// The same place and directions, without scale, shear and mirroring, which do not count for
+/// cameras and lamps (glTF 2.0, section 3.10.2): z is kept, y where it can be. As it is if it has
+/// no directions.
+Mat4 without_scale(const Mat4& to_world);
+
 /// `to_world` of what looks or shines along +z in a `SceneDesc`, and along −z in glTF.
 Mat4 turned_around(const Mat4& to_world);
 

@@ -261,5 +261,35 @@ TEST(GltfLights, NegativeStrengthsAndUnknownTypesAreLocatedErrors) {
                        "did you mean \"point\"? Valid: directional, point, spot"));
 }
 
+TEST(GltfCameras, DoNotHaveTheScaleOfTheirNodes) {
+  const Json orthographic = {
+      {"type", "orthographic"},
+      {"orthographic", {{"xmag", 3}, {"ymag", 2}, {"znear", 0.1}, {"zfar", 9}}}};
+  const Mat4 plain =
+      scene_of(with_camera(orthographic, {{"translation", {1, 2, 3}}})).camera.to_world;
+  for (const Json& scale : {Json{2, 2, 2}, Json{0.01, 5, 3}, Json{-1, 1, 1}}) {
+    const desc::SceneDesc scene =
+        scene_of(with_camera(orthographic, {{"translation", {1, 2, 3}}, {"scale", scale}}));
+    EXPECT_TRUE(scene.camera.to_world.equalWithAbsError(plain, 1e-9)) << scale;
+  }
+}
+
+TEST(GltfLights, KeepTheirConesInScaledNodes) {
+  const auto place_of = [](const Json& node) {
+    TestFile file;
+    file.add_triangle();
+    Json with = node;
+    with["extensions"]["KHR_lights_punctual"]["light"] = 0;
+    file.json["scenes"][0]["nodes"].push_back(file.add("nodes", with));
+    file.json["extensionsUsed"] = {"KHR_lights_punctual"};
+    file.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.2}}}}};
+    return scene_of(file).lights.at(0).to_world;
+  };
+  const Json rotation = {0.0, 0.38268343, 0.0, 0.92387953};
+  EXPECT_TRUE(place_of({{"rotation", rotation}, {"scale", {1, 4, 9}}})
+                  .equalWithAbsError(place_of({{"rotation", rotation}}), 1e-6));
+}
+
 }  // namespace
 }  // namespace ajar::gltf
