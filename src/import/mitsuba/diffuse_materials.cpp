@@ -6,6 +6,9 @@
 namespace ajar::mitsuba {
 namespace {
 
+constexpr WarningKind kBlackMetal{
+    Effect::Surface, "metals have no \"specular\", with which they are black in Mitsuba"};
+
 Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
   // Mitsuba 0.x takes either name.
   const bool is_long_name = !in.arguments.has("reflectance") &&
@@ -81,6 +84,11 @@ Surface principled(const MaterialInputs& in, bool thin) {
                          "clearcoat_sampling_rate", "specular_sampling_rate"});
   }
   const bool is_one_sided = !thin && node.get("specular_transmission") == desc::Value(0.F);
+  if (is_one_sided && node.number("eta") == 1.F && node.get("metallic") != desc::Value(0.F)) {
+    in.context().warnings.add(kBlackMetal, in.where(),
+                              "in Mitsuba metal is black with a \"specular\" of 0 or an \"eta\" of "
+                              "1; here it reflects");
+  }
   return {in.materials.add(in.arguments.element(), std::move(node)), desc::kNone, is_one_sided};
 }
 

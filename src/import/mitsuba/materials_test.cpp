@@ -509,5 +509,21 @@ TEST(MitsubaMaterials, CoatsThatAbsorbAreWarnedOf) {
   EXPECT_TRUE(coat("roughdiffuse").node().is("coated_diffuse"));
 }
 
+TEST(MitsubaMaterials, MetalsThatAreBlackThereAreToldOf) {
+  const auto warns = [](const std::string& numbers) {
+    return contains(MaterialOf("<bsdf type=\"principled\">" + numbers + "</bsdf>").warnings,
+                    "in Mitsuba metal is black with a \"specular\" of 0");
+  };
+  const auto number = [](const std::string& name, const std::string& value) {
+    return "<float name=\"" + name + "\" value=\"" + value + "\"/>";
+  };
+  const std::string metal = number("metallic", "0.5");
+  EXPECT_TRUE(warns(metal + number("specular", "0")));
+  EXPECT_TRUE(warns(metal + number("eta", "1")));
+  EXPECT_FALSE(warns(metal + number("specular", "0.001")));
+  EXPECT_FALSE(warns(metal + number("specular", "0") + number("spec_trans", "0.5")));
+  EXPECT_FALSE(warns(number("specular", "0")));
+}
+
 }  // namespace
 }  // namespace ajar::mitsuba
