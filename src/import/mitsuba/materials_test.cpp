@@ -525,5 +525,20 @@ TEST(MitsubaMaterials, MetalsThatAreBlackThereAreToldOf) {
   EXPECT_FALSE(warns(number("specular", "0")));
 }
 
+TEST(MitsubaMaterials, ReliefsKnowTheWordsOfNewerVersions) {
+  for (const char* type : {"bumpmap", "normalmap"}) {
+    for (const char* word : {"use_shadowing_function", "flip_invalid_normals"}) {
+      const auto warnings = [&](const char* value) {
+        return MaterialOf("<bsdf type=\"" + std::string(type) + "\"><boolean name=\"" + word +
+                          "\" value=\"" + value +
+                          "\"/><texture type=\"checkerboard\"/><bsdf type=\"diffuse\"/></bsdf>")
+            .warnings;
+      };
+      EXPECT_EQ(warnings("false"), "") << type;
+      EXPECT_TRUE(contains(warnings("true"), std::string(word) + "\" is not supported")) << type;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ajar::mitsuba

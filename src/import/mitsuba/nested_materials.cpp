@@ -12,6 +12,9 @@ constexpr WarningKind kTwoMaterials{
     Effect::Surface, "materials have another one behind, which is not supported: both sides alike"};
 constexpr WarningKind kTwoReliefs{
     Effect::Surface, "bump or normal maps are inside of others: only the outer ones count"};
+constexpr WarningKind kShadowing{
+    Effect::Slight,
+    "bump and normal maps are not darkened or turned as in newer versions of Mitsuba"};
 constexpr WarningKind kNoRelief{Effect::Surface,
                                 "bump or normal maps have no texture: surfaces are smooth"};
 
@@ -101,6 +104,12 @@ std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in, bool 
 /// The material in this one with this relief.
 Surface with_relief(const MaterialInputs& in, desc::TextureId bump,
                     const desc::NormalMap& normal_map) {
+  // False is what versions without these words do.
+  for (const char* name : {"use_shadowing_function", "flip_invalid_normals"}) {
+    if (!in.arguments.flag(name, false)) continue;
+    in.context().warnings.add(kShadowing, in.where(),
+                              "\"" + std::string(name) + "\" is not supported: ignored", name);
+  }
   Surface result = parts_of(in, 1, 1).front();
   const bool is_none = bump == desc::kNone && normal_map.texture == desc::kNone;
   if (is_none || in.materials.get(result.material).node.is("interface")) return result;
