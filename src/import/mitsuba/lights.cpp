@@ -62,6 +62,8 @@ std::optional<desc::Light> environment(const Source& in) {
   desc::Node node = in.node("environment", {{"radiance", scale}});
   node.set("image",
            in.context.files.files().resolve(in.context.files.find(*name), in.arguments.where()));
+  // Since version 2 the first and the last row are the poles.
+  node.set("rows_at_poles", in.context.document.major_version >= 2);
   // Mitsuba's map has its pole at +y and begins at -z toward +x; ours has its pole at +z and begins
   // at +x toward +y.
   const Mat4 to_mitsuba(0.0, 0.0, -1.0, 0.0,  //

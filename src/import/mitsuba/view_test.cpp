@@ -245,6 +245,7 @@ TEST(MitsubaLights, EnvironmentMapsHaveMinusZAtTheirEdges) {
   expect_near(transform_vector(map.to_world, {1, 0, 0}), {0, 0, -1});
   expect_near(transform_vector(map.to_world, {0, 1, 0}), {1, 0, 0});
   expect_near(transform_vector(map.to_world, {0, 0, 1}), {0, 1, 0});
+  EXPECT_TRUE(map.node.flag("rows_at_poles"));
 }
 
 TEST(MitsubaLights, BlackBodiesHaveMitsubasUnits) {

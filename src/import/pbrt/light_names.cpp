@@ -44,7 +44,8 @@ const std::vector<ModelName>& lights_of_v4() {
         kSquare,
         {"irradiance", {}},
         {"decoding_exponent", {}},
-        {"nearest", {}}}},
+        {"nearest", {}},
+        {"rows_at_poles", {}}}},
       {"goniometric", "goniometric", {kIntensity, kImage, {"gray", {}, "true"}, kSquare, kPower}},
       {"projection", "projection", {{"intensity", {}}, kImage, {"fov", {"fov"}, "90"}, kPower}}};
   return kNames;

@@ -48,6 +48,7 @@ std::optional<SphereMap> LightInputs::sphere_map(const TexelTreatment& texels) c
     const MapFilter filter = texels.nearest ? MapFilter::Nearest : projection.filter;
     std::optional<Map> image = map("image", projection.edge, filter, texels.decoding_exponent);
     if (image && texels.gray) image->make_gray();
+    if (image && texels.rows_at_edges) image->put_rows_at_edges();
     return image;
   };
   const SphereProjection& wanted = sphere_projection(node().text("projection"));

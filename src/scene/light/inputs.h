@@ -22,6 +22,7 @@ struct TexelTreatment {
   bool gray = false;     ///< each is the mean of its colours
   bool nearest = false;  ///< no interpolation, whatever the projection
   std::optional<float> decoding_exponent = std::nullopt;  ///< of integers; without one: sRGB
+  bool rows_at_edges = false;  ///< the first and the last row, as `Map::put_rows_at_edges`
 };
 
 /// The description of one light, with what it needs to know of the scene.

@@ -34,8 +34,19 @@ class Map {
     for (Spectrum& texel : texels_) texel = Spectrum(texel.average());
   }
 
+  /// Puts the first and the last row at the upper and lower edge, and the others evenly between;
+  /// without, their centres are half a row from the edges. Counts between texels, not for the
+  /// nearest, and not for a map of one row.
+  void put_rows_at_edges() {
+    if (height_ == 1) return;
+    row_steps_ = height_ - 1;
+    first_row_ = 0.F;
+  }
+
   int width() const { return width_; }
   int height() const { return height_; }
+  /// Bands of the same height, between whose edges and middles the map is linear along v.
+  int bands() const { return row_steps_; }
   /// Texel centres are at half-integers.
   Spectrum lookup(const Vec2& uv) const {
     if (filter_ == MapFilter::Nearest) {
@@ -44,7 +55,7 @@ class Map {
       return row(y)[std::clamp(x, 0, width_ - 1)];
     }
     const float x = uv.x * static_cast<float>(width_) - 0.5F;
-    const float y = uv.y * static_cast<float>(height_) - 0.5F;
+    const float y = uv.y * static_cast<float>(row_steps_) - first_row_;
     const float x0 = std::floor(x);
     const float y0 = std::floor(y);
     const float fx = x - x0;
@@ -70,6 +81,8 @@ class Map {
 
   int width_;
   int height_;
+  int row_steps_ = height_;  ///< from row to row between the edges
+  float first_row_ = 0.5F;   ///< in steps from the upper edge
   MapEdge edge_;
   MapFilter filter_;
   std::vector<Spectrum> texels_;
@@ -93,11 +106,10 @@ inline constexpr std::size_t kMaxTexelsToHalve = std::size_t{1} << 19U;
 template <typename Jacobian>
 Distribution2D make_map_distribution(const Map& map, const Jacobian& jacobian,
                                      std::size_t max_texels_to_halve = kMaxTexelsToHalve) {
-  const auto texels =
-      static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.height());
+  const auto texels = static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.bands());
   const int parts = texels <= max_texels_to_halve ? 2 : 1;
   const int columns = map.width() * parts;
-  const int rows = map.height() * parts;
+  const int rows = map.bands() * parts;
   const int points = 2 / parts;  // half texels per cell and axis
   std::vector<float> weights;
   weights.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
@@ -126,7 +138,7 @@ Spectrum integrate_map(const Map& map, const Jacobian& jacobian) {
   constexpr int kLeastPoints = 64;
   const auto points = [](int texels) { return texels * std::max(2, 2 * (kLeastPoints / texels)); };
   const int columns = points(map.width());
-  const int rows = points(map.height());
+  const int rows = points(map.bands());
   Vec3d sum(0.0);
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {

@@ -90,6 +90,30 @@ TEST(EnvironmentMap, MayTakeTheNearestTexel) {
   }
 }
 
+TEST(EnvironmentMap, MayHaveItsPolesInTheFirstAndTheLastRow) {
+  // One colour in each of three rows: at the pole, the equator and the other pole.
+  const ImageFile file(2, 3, {1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1});
+  desc::Node node = environment_node(Vec3(1.F), file.path());
+  node.set("rows_at_poles", true);
+  const auto light = light_of(node, Mat4());
+  for (const float v : {0.001F, 0.2F, 0.5F, 0.8F}) {
+    const Vec3 w = lat_long::to_direction({0.3F, v});
+    const Spectrum seen = light->emitted(light->at_direction(w), -w);
+    EXPECT_NEAR(seen[0], std::max(1.F - 2.F * v, 0.F), 1e-5F) << v;
+    EXPECT_NEAR(seen[1], 1.F - std::abs(2.F * v - 1.F), 1e-5F) << v;
+    EXPECT_NEAR(seen[2], std::max(2.F * v - 1.F, 0.F), 1e-5F) << v;
+  }
+  const ImageFile noise(5, 4, random_pixels(20, 3));
+  desc::Node other = environment_node(Vec3(1.F), noise.path());
+  other.set("rows_at_poles", true);
+  check_connection(*light_of(other, Mat4()), {{0, 0, 0}});
+  const ImageFile row(4, 1, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1});
+  desc::Node flat = environment_node(Vec3(1.F), row.path());
+  flat.set("rows_at_poles", true);
+  const auto even = light_of(flat, Mat4());
+  EXPECT_NEAR(even->emitted(even->at_direction({0, 0, 1}), {0, 0, -1})[0], 1.F, 1e-6F);
+}
+
 TEST(Map, SpreadsOneChannelOverAllLanes) {
   const ImageFile file(2, 1, {0.25F, 0.5F}, ".exr", OIIO::TypeDesc::FLOAT, 1);
   Warnings warnings;
