@@ -2,10 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "import/gltf/gltf_import.h"
+#include "support/temporary_file.h"
 #include "support/tiny_picture.h"
 
 namespace ajar {
@@ -309,6 +314,65 @@ TEST_F(Gltf, DiffuseTransmissionSharesLightBetweenTheSides) {
   add_square(material);
   add_light({{"type", "directional"}, {"intensity", kPi}}, {{"rotation", {0, 1, 0, 0}}});
   expect_color(picture(4, MayWarn::Yes).mean(), Vec3(0.8F * 0.25F), 0.02F);
+}
+
+TEST_F(Gltf, MirroredSquaresShineToTheirFront) {
+  // The order of corners that is the front turns with the sign of the determinant (glTF 2.0,
+  // section 3.7.4): the mirrored object, seen from its own front.
+  add_square(shining({0.1, 0.2, 0.3}, 10));
+  for (const auto& [scale, is_seen] : std::vector<std::pair<Json, bool>>{
+           {{-1, 1, 1}, true}, {{1, -1, 1}, true}, {{1, 1, -1}, false}, {{-1, -1, -1}, false}}) {
+    json_["nodes"][1]["scale"] = scale;
+    const Vec3 seen = picture().mean();
+    EXPECT_NEAR(seen.z, is_seen ? 3.F : 0.F, 1e-3F) << scale;
+  }
+}
+
+TEST_F(Gltf, NormalMapsTiltWhereTheirCoordinatesRun) {
+  // Everywhere (0.6, 0, 0.8), lit from (1, 0, 1) / √2.
+  const test::TemporaryFile map("tilt.pfm");
+  const float texel[] = {0.8F, 0.5F, 0.9F};
+  std::ofstream(map.path(), std::ios::binary)
+      << "PF\n1 1\n-1\n"
+      << std::string_view(reinterpret_cast<const char*>(texel), sizeof(texel));
+  Json material = matt({1, 1, 1, 1});
+  material["normalTexture"] = {{"index", add_image(map.path().substr(5))}};
+  const std::vector<float> up = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+  const std::vector<float> mirrored = {1, 1, 0, 1, 0, 0, 1, 0};
+  const std::vector<float> left = {-1, 0, 0, -1, -1, 0, 0, -1, -1, 0, 0, -1, -1, 0, 0, -1};
+  const std::size_t normals = add_accessor(up, "VEC3", 4);
+  add_square(material, {}, {{"NORMAL", normals}});
+  add_light({{"type", "directional"}, {"intensity", M_PI}},
+            {{"rotation", {0, std::sin(M_PI / 8), 0, std::cos(M_PI / 8)}}});
+  Json& attributes = json_["meshes"][0]["primitives"][0]["attributes"];
+  const auto expect_lit = [&](double cosine) { EXPECT_NEAR(picture(64).mean().x, cosine, 0.01); };
+  const double toward = 1.4 * M_SQRT1_2;
+  const double away = 0.2 * M_SQRT1_2;
+  expect_lit(toward);
+  json_["nodes"][1]["scale"] = {-1, 1, 1};
+  expect_lit(away);
+  json_["nodes"][1]["scale"] = {1, 1, 1};
+  attributes["TANGENT"] = add_accessor(left, "VEC4", 4);
+  expect_lit(away);
+  attributes.erase("TANGENT");
+  attributes["TEXCOORD_0"] = add_accessor(mirrored, "VEC2", 4);
+  expect_lit(away);
+}
+
+TEST_F(Gltf, LampsAndCamerasDoNotHaveTheScaleOfTheirNodes) {
+  add_square(matt({1, 1, 1, 1}));
+  add_light({{"type", "directional"}, {"intensity", M_PI / 2}}, {{"scale", {10, 3, 2}}});
+  add_light({{"type", "point"}, {"intensity", 1e6 * M_PI / 2}},
+            {{"translation", {0, 0, 1000}}, {"scale", {4, 4, 4}}});
+  json_["cameras"] =
+      Json::array({{{"type", "orthographic"},
+                    {"orthographic", {{"xmag", 4}, {"ymag", 4}, {"znear", 0.1}, {"zfar", 9}}}}});
+  json_["nodes"][0]["scale"] = {-0.01, 5, 7};
+  // The square is half as wide as the picture.
+  const TinyPicture seen = picture(64);
+  expect_color(seen.mean(0.3F, 0.7F, 0.3F, 0.7F), Vec3(1.F), 0.02F);
+  EXPECT_LT(seen.mean(0.F, 0.2F).x, 1e-6F);
+  EXPECT_LT(seen.mean(0.F, 1.F, 0.F, 0.2F).x, 1e-6F);
 }
 
 }  // namespace

@@ -429,5 +429,14 @@ TEST(Obj, ImagesOnFacesWithoutCoordinatesAreToldOf) {
   EXPECT_EQ(warnings_of(kTexturedFace + "f 1 2 4\n", files).substr(0, 11), "test.obj:11");
 }
 
+TEST(Obj, IndicesFromTheEndCountWhatIsThereSoFar) {
+  const desc::SceneDesc scene =
+      scene_of("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n");
+  EXPECT_EQ(mesh_of(scene).positions.size(), 4U);
+  EXPECT_EQ(mesh_of(scene).indices, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(error_of(kSquare + "f 0/0/0 1/1/1 2/2/2\n"),
+            "test.obj:5:3: this face refers to vertex 0 of 4");
+}
+
 }  // namespace
 }  // namespace ajar
