@@ -297,5 +297,19 @@ TEST(Ply, WhatIsSkippedIsNamed) {
   EXPECT_EQ(contents.mesh.indices.size(), 1U);
 }
 
+TEST(Ply, ColorsOfFloatsMayBeThoseOfBytes) {
+  const auto second_of = [](const std::string& second) {
+    const std::string text =
+        "ply\nformat ascii 1.0\ncomment\nelement vertex 3\nproperty float x\nproperty float "
+        "y\nproperty float z\nproperty float red\nproperty float green\nproperty float "
+        "blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0 0 0 0\n1 0 0 " +
+        second + "\n0 1 0 0.5 0.5 0.5\n3 0 1 2\n";
+    return read_ply_contents(text, "a.ply").colors.at(1);
+  };
+  EXPECT_LT(length(second_of("188 0.5 255") - Vec3(0.503F, 0.0002F, 1.F)), 1e-3F);
+  EXPECT_LT(length(second_of("0.7373 0 1.5") - Vec3(0.503F, 0.F, 1.F)), 1e-3F) << "shares";
+}
+
 }  // namespace
 }  // namespace ajar
