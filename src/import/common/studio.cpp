@@ -255,8 +255,9 @@ void add_studio(desc::SceneDesc& scene, const SceneParts& parts, UpAxis up) {
 }
 
 desc::MaterialId add_neutral_material(desc::SceneDesc& scene) {
-  scene.materials.emplace_back().node =
-      desc::material_node("principled", {{"base_color", Vec3(0.6F)}, {"roughness", 0.4F}});
+  scene.materials.emplace_back().node = desc::material_node(
+      "principled",
+      {{"base_color", Vec3(0.6F)}, {"roughness", 0.4F}, {"blend", std::string("layered")}});
   return static_cast<desc::MaterialId>(scene.materials.size()) - 1;
 }
 
