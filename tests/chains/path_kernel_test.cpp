@@ -81,8 +81,7 @@ class PathKernelStep : public ::testing::Test {
         *scene_, 200, [&](std::uint32_t, const std::vector<test::WeightedPath>& paths) {
           SplatBuffer splats;
           for (const test::WeightedPath& weighted : paths) {
-            const bool is_lit =
-                std::isfinite(light_on(*scene_, weighted.path, bounds_, 0, splats));
+            const bool is_lit = std::isfinite(light_on(*scene_, weighted.path, bounds_, 0, splats));
             if (is_lit && found_.size() < 2) found_.push_back(weighted.path);
           }
         });

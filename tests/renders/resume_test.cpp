@@ -116,7 +116,7 @@ constexpr std::array<const char*, 3> kScenes = {"Environment", "CroppedMitchell"
 class Resume : public ::testing::TestWithParam<const char*> {
  protected:
   Resume() : scene_(test::scene_from(test::small_scene(GetParam()).text)) {}
-  /// Those of this scene; `turn` tells tests apart.
+  /// Methods that have this scene; `turn` tells tests apart.
   std::vector<Case> cases(std::size_t turn) const {
     const auto number = static_cast<std::size_t>(
         std::find(kScenes.begin(), kScenes.end(), std::string(GetParam())) - kScenes.begin());

@@ -185,9 +185,10 @@ TEST_P(NullEventsOf, LampsBeyondWhatCountsAreSeenPastHiddenOnesByAnyMethod) {
   const std::string scene = integrator("path", 3, true) + view(8, 16) +
                             lamp("<shape type='sphere'><float name='radius' value='0.5'/>", 5) +
                             square(6, -1, kNull) +
-                            lamp("<shape type='rectangle'><transform name='to_world'><scale "
-                                 "value='6'/><translate z='-2'/></transform>",
-                                 1);
+                            lamp(
+                                "<shape type='rectangle'><transform name='to_world'><scale "
+                                "value='6'/><translate z='-2'/></transform>",
+                                1);
   EXPECT_NEAR(mean_of(scene, 64, GetParam()), 1.0, 0.02);
 }
 

@@ -377,7 +377,6 @@ float TriangleMesh::handedness(const Triangle& t, float b0, float b1, float b2) 
 template Vec3d TriangleMesh::find_point<true>(std::uint32_t, float, float, SurfacePoint&) const;
 template Vec3d TriangleMesh::find_point<false>(std::uint32_t, float, float, SurfacePoint&) const;
 
-
 SurfaceDerivatives TriangleMesh::derivatives(std::uint32_t triangle, const Vec3d& p) const {
   const Triangle& t = triangles_[triangle];
   const Vec3d p0(position(t.x));
