@@ -255,8 +255,7 @@ TEST(RareLight, ChainsThatAreNotFoundAreReplacedByPlainSamples) {
 INSTANTIATE_TEST_SUITE_P(Cases, RareLight,
                          ::testing::Values(RareCase{"pssmlt+", 0.03, 32, 1600},
                                            RareCase{"pssmlt+", 0.03, 10, 2400},
-                                           RareCase{"mmlt+", 0.03, 32, 1600},
-                                           RareCase{"mmlt+", 0.02, 32, 5000}));
+                                           RareCase{"mmlt+", 0.03, 32, 1600}));
 
 }  // namespace
 }  // namespace ajar
