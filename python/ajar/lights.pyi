@@ -18,6 +18,7 @@ def environment(
     projection: Literal["longitude_latitude", "equal_area"] = 'longitude_latitude',
     decoding_exponent: Number | None = None,
     nearest: bool = False,
+    rows_at_poles: bool = False,
     irradiance: Number | None = None,
     name: str = '',
 ) -> Node:
