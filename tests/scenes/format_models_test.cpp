@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "import/gltf/gltf_import.h"
 #include "import/mitsuba/mitsuba_import.h"
 #include "import/pbrt/pbrt_import.h"
 #include "import/tungsten/tungsten_import.h"
@@ -18,8 +19,9 @@
 namespace ajar {
 namespace {
 
-enum FormatOfModel { kMitsuba3, kMitsuba06, kTungsten, kPbrt3, kPbrt4 };
-constexpr std::array kHeadings = {"Mitsuba 3", "Mitsuba 0.6", "Tungsten", "pbrt-v3", "pbrt-v4"};
+enum FormatOfModel { kMitsuba3, kMitsuba06, kTungsten, kPbrt3, kPbrt4, kGltf };
+constexpr std::array kHeadings = {"Mitsuba 3", "Mitsuba 0.6", "Tungsten",
+                                  "pbrt-v3",   "pbrt-v4",     "glTF"};
 
 /// A material as its format has it, and what its renderer makes of it: for Mitsuba 3 by its bsdfs
 /// (3.9, `eval` and `sample`), for pbrt-v4's layers by a random walk as there, for others by the
@@ -240,6 +242,24 @@ const std::vector<ModelCase>& model_cases() {
        "Material 'coatedconductor' 'rgb conductor.eta' [.2 .2 .2] 'rgb conductor.k' [3.9 "
        "3.9 3.9] 'float interface.roughness' 0.09 'float conductor.roughness' 0.09",
        -1.0, 0.4932, 0.09},
+      {kGltf, "metallic 0, roughness 1", "'metallicFactor': 0", 0.2489, 0.4951},
+      {kGltf, "metallic 0, roughness 0.5", "'metallicFactor': 0, 'roughnessFactor': 0.5", 0.2525,
+       0.5299},
+      {kGltf, "metallic 0.5, roughness 0.5", "'metallicFactor': 0.5, 'roughnessFactor': 0.5",
+       0.1928, 0.4889},
+      {kGltf, "metallic 1, roughness 0.5", "'roughnessFactor': 0.5", 0.1331, 0.4479},
+      {kGltf, "`KHR_materials_ior` 1.8",
+       "'metallicFactor': 0, 'roughnessFactor': 0.5}, 'extensions': {'KHR_materials_ior': {'ior': "
+       "1.8}",
+       0.2531, 0.545},
+      {kGltf, "`KHR_materials_specular` 0.5",
+       "'metallicFactor': 0, 'roughnessFactor': 0.5}, 'extensions': {'KHR_materials_specular': "
+       "{'specularFactor': 0.5}",
+       0.2522, 0.515},
+      {kGltf, "`KHR_materials_clearcoat`, roughness 0.5",
+       "'metallicFactor': 0, 'roughnessFactor': 0.5}, 'extensions': {'KHR_materials_clearcoat': "
+       "{'clearcoatFactor': 1, 'clearcoatRoughnessFactor': 0.5}",
+       0.2485, 0.5539, 0.02},
   };
   return kCases;
 }
@@ -261,6 +281,18 @@ desc::SceneDesc scene_of(const ModelCase& model) {
           test::with_quotes("{'camera': {}, 'primitives': [{'type': 'sphere', 'bsdf': {" + text +
                             "}}]}"),
           "test.json", "", warnings);
+    case kGltf: {
+      const std::string triangle =
+          "{'asset': {'version': '2.0'}, 'nodes': [{'mesh': 0}], 'scenes': [{'nodes': [0]}],"
+          "'meshes': [{'primitives': [{'attributes': {'POSITION': 0}, 'material': 0}]}],"
+          "'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': 3, 'type': 'VEC3'}],"
+          "'bufferViews': [{'buffer': 0, 'byteLength': 36}], 'buffers': [{'byteLength': 36,"
+          "'uri': 'data:application/octet-stream;base64,"
+          "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA'}],"
+          "'materials': [{'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.5, 0.5, 1], ";
+      return import_gltf_bytes(test::with_quotes(triangle + text + "}}]}"), "test.gltf", "",
+                               warnings, {});
+    }
     case kPbrt3:
     case kPbrt4:
       break;
