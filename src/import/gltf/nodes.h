@@ -19,9 +19,9 @@ std::vector<PlacedNode> place_nodes(const Element& root);
 /// Where the mesh of a node is: in one place, or where EXT_mesh_gpu_instancing has it.
 std::vector<Mat4> places_of_mesh(const PlacedNode& placed, Accessors& accessors);
 
-/// The same place and directions, without scale, shear and mirroring, which do not count for
-/// cameras and lamps (glTF 2.0, section 3.10.2): z is kept, y where it can be. As it is if it has
-/// no directions.
+/// Place and directions of a camera or a lamp, for which scale, shear and mirroring do not count
+/// (glTF 2.0, section 3.10.2): z is kept, y where it can be. A matrix without directions is given
+/// back as it is.
 Mat4 without_scale(const Mat4& to_world);
 
 /// `to_world` of what looks or shines along +z in a `SceneDesc`, and along −z in glTF.

@@ -14,8 +14,8 @@ struct Context {
   const Document& document;
   SearchPath& files;
   Warnings& warnings;
-  /// Null events add to the depth of a path or not: as the integrator
-  /// has it where that is limited, else as in ours, by which only boundaries of media do not.
+  /// Null events add to the depth of a path or not: as the integrator has it where that is limited,
+  /// else as in ours, by which only boundaries of media do not.
   bool counts_boundaries = false;
   bool counts_straight = true;
   /// Those whose `Arguments` are in use now, and those whose arguments were reported.
