@@ -8,7 +8,7 @@
 #include "measuring/bench_main.h"
 #include "measuring/measured_scene.h"
 #include "measuring/variant.h"
-#include "session/interrupts.h"
+#include "session/job/interrupts.h"
 #include "session/render.h"
 
 /// What more time brings: for each scene and time limit, how long preparing takes, when there is a

@@ -12,9 +12,9 @@
 #include "measuring/shared_reference.h"
 #include "measuring/timed_render.h"
 #include "measuring/variant.h"
-#include "session/builtin_scenes.h"
-#include "session/interrupts.h"
-#include "session/render_setup.h"
+#include "session/job/interrupts.h"
+#include "session/render/render_setup.h"
+#include "session/scenes/builtin_scenes.h"
 #include "support/shared.h"
 
 /// Errors after equal CPU time: every variant renders every scene for so many CPU-seconds, and the

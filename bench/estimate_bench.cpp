@@ -12,7 +12,7 @@
 #include "measuring/csv_keys.h"
 #include "measuring/measured_scene.h"
 #include "measuring/timed_render.h"
-#include "session/interrupts.h"
+#include "session/job/interrupts.h"
 
 /// Whether estimated errors are true: renders scenes by all integrators and writes a line of CSV
 /// for each render with both errors. What the file has already is not rendered again, so that the

@@ -20,9 +20,9 @@
 #include "measuring/reference.h"
 #include "measuring/timed_render.h"
 #include "post/denoise/denoiser.h"
-#include "session/interrupts.h"
-#include "session/picture_filter.h"
-#include "session/write_picture.h"
+#include "session/job/interrupts.h"
+#include "session/output/picture_filter.h"
+#include "session/output/write_picture.h"
 
 /// The finished picture: errors raw, by scale and after each filter, of equal CPU time. Writes a
 /// line of CSV for each render and filter, and does not render again what the file has.

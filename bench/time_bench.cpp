@@ -6,8 +6,8 @@
 
 #include "measuring/bench_scenes.h"
 #include "measuring/variant.h"
+#include "session/job/resources.h"
 #include "session/render.h"
-#include "session/resources.h"
 
 /// How well renders keep to a time limit: what they take less what was asked for, and how long
 /// their passes are. A pass that is begun is finished, so a limit cannot be kept more closely than

@@ -3,10 +3,9 @@ foreach(room api api_c import session study study_report)
   ajar_compile_quickly(ajar_${room}_test)
 endforeach()
 # They write the images that they read.
-target_link_libraries(ajar_core_test PRIVATE ZLIB::ZLIB PNG::PNG OpenEXR::OpenEXR OpenImageIO::OpenImageIO)
-target_link_libraries(ajar_image_test PRIVATE OpenImageIO::OpenImageIO)
+target_link_libraries(ajar_imageio_test PRIVATE ZLIB::ZLIB PNG::PNG OpenEXR::OpenEXR OpenImageIO::OpenImageIO)
 target_link_libraries(ajar_scene_test PRIVATE OpenImageIO::OpenImageIO)
-foreach(room core image scene import)
+foreach(room imageio scene import)
   add_dependencies(ajar_${room}_test ajar_openimageio)
 endforeach()
 

@@ -1,5 +1,5 @@
 # Embeds the files of every scenes/<name>/ that has a scene.* into a library: an assembler file that includes the bytes, and a table that
-# src/session/builtin_scenes.h offers.
+# src/session/scenes/builtin_scenes.h offers.
 function(ajar_embed_scenes target)
   set(folder ${CMAKE_SOURCE_DIR}/scenes)
   file(GLOB scenes CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*/scene.*)
@@ -34,7 +34,7 @@ function(ajar_embed_scenes target)
   set(table
 "#include <vector>
 
-#include \"session/builtin_scenes.h\"
+#include \"session/scenes/builtin_scenes.h\"
 
 extern \"C\" {
 ${declarations}}

@@ -1,5 +1,5 @@
-# What reads and writes images: src/core/image_formats, and for the formats that it leaves out OpenImageIO, in a library of its own
-# that is loaded when one of them is read (src/core/image_openimageio).
+# What reads and writes images: src/imageio/formats, and for the formats that it leaves out OpenImageIO, in a library of its own
+# that is loaded when one of them is read (src/imageio/openimageio).
 set(AJAR_IMAGE_LIBRARIES OpenEXR::OpenEXR PNG::PNG JPEG::JPEG)
 set(AJAR_IMAGE_PACKAGES OpenEXR PNG JPEG)
 find_package(OpenEXR 3 REQUIRED)
@@ -16,10 +16,10 @@ if(AJAR_OPENIMAGEIO)
   endforeach()
 endif()
 
-# What is loaded goes where src/core/image_openimageio/openimageio_module.cpp looks for it.
+# What is loaded goes where src/imageio/openimageio/openimageio_module.cpp looks for it.
 function(ajar_openimageio_module)
-  add_library(ajar_openimageio MODULE src/core/image_openimageio/module/decoder.cpp)
-  target_link_libraries(ajar_openimageio PRIVATE ajar_core OpenImageIO::OpenImageIO)
+  add_library(ajar_openimageio MODULE src/imageio/openimageio/module/decoder.cpp)
+  target_link_libraries(ajar_openimageio PRIVATE ajar_imageio OpenImageIO::OpenImageIO)
   # Nothing of what it shares with the program is to be seen from outside.
   set_target_properties(ajar_openimageio PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_link_options(ajar_openimageio PRIVATE LINKER:--exclude-libs,ALL)

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/error.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 #include "scene/texture/image_cache.h"
 #include "support/private_file.h"
 

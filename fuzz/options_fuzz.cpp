@@ -7,9 +7,9 @@
 #include <string>
 
 #include "core/error.h"
-#include "image/region_rules.h"
 #include "integrator/integrator.h"
-#include "session/option_values.h"
+#include "integrator/regions/region_rules.h"
+#include "session/options/option_values.h"
 #include "session/preview/tcp_stream.h"
 
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "session/builtin_scenes.h"
-#include "session/interrupts.h"
+#include "session/job/interrupts.h"
+#include "session/scenes/builtin_scenes.h"
 
 namespace ajar::bench {
 

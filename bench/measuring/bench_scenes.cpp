@@ -6,8 +6,8 @@
 #include "import/import.h"
 #include "import/pbrt/pbrt_import.h"
 #include "scene/desc/models.h"
-#include "session/builtin_scenes.h"
-#include "session/scene_file.h"
+#include "session/scenes/builtin_scenes.h"
+#include "session/scenes/scene_file.h"
 #include "support/shared.h"
 
 namespace ajar::bench {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "session/resources.h"
+#include "session/job/resources.h"
 
 namespace ajar::bench {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <thread>
 
-#include "session/interrupts.h"
+#include "session/job/interrupts.h"
 
 namespace ajar::bench {
 

@@ -1,7 +1,7 @@
 #include "measuring/job.h"
 
-#include "session/preparation.h"
-#include "session/render_setup.h"
+#include "session/job/preparation.h"
+#include "session/render/render_setup.h"
 
 namespace ajar::bench {
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "image/image_file.h"
-#include "session/stats_json.h"
+#include "imageio/image_file.h"
+#include "session/output/stats_json.h"
 
 namespace ajar::bench {
 

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "core/error.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 
 namespace ajar::bench {
 namespace {

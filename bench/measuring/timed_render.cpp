@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "measuring/cpu_alarm.h"
-#include "session/output.h"
-#include "session/preparation.h"
-#include "session/render_job.h"
-#include "session/render_setup.h"
-#include "session/resources.h"
+#include "session/job/preparation.h"
+#include "session/job/render_job.h"
+#include "session/job/resources.h"
+#include "session/output/output.h"
+#include "session/render/render_setup.h"
 
 namespace ajar::bench {
 

@@ -6,8 +6,8 @@
 #include "image/relative_error.h"
 #include "integrator/integrator.h"
 #include "measuring/variant.h"
-#include "session/interrupts.h"
-#include "session/picture_filter.h"
+#include "session/job/interrupts.h"
+#include "session/output/picture_filter.h"
 
 namespace ajar::bench {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "session/option_values.h"
+#include "session/options/option_values.h"
 
 namespace ajar::bench {
 

@@ -5,7 +5,7 @@
 
 #include "core/parameters.h"
 #include "integrator/integrator.h"
-#include "session/render_order.h"
+#include "session/render/render_order.h"
 
 namespace ajar::bench {
 

@@ -8,8 +8,8 @@
 #include "ajar/scene.h"
 #include "core/error.h"
 #include "core/warnings.h"
-#include "image/picture.h"
-#include "session/loaded_scene.h"
+#include "imageio/picture.h"
+#include "session/scenes/loaded_scene.h"
 
 /// What stands behind the types of include/ajar, and errors as they have them.
 namespace ajar::v0 {

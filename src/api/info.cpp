@@ -1,7 +1,7 @@
 #include "ajar/info.h"
 
 #include "integrator/integrator.h"
-#include "session/catalog.h"
+#include "session/scenes/catalog.h"
 #include "session/version.h"
 
 namespace ajar::v0 {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "api/contents.h"
-#include "image/image_file.h"
-#include "session/limits.h"
-#include "session/write_picture.h"
+#include "imageio/image_file.h"
+#include "session/options/limits.h"
+#include "session/output/write_picture.h"
 
 namespace ajar::v0 {
 

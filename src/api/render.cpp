@@ -9,11 +9,11 @@
 
 #include "api/contents.h"
 #include "core/error.h"
-#include "session/catalog.h"
-#include "session/filter_option.h"
-#include "session/limits.h"
-#include "session/progress.h"
+#include "session/job/progress.h"
+#include "session/options/filter_option.h"
+#include "session/options/limits.h"
 #include "session/render.h"
+#include "session/scenes/catalog.h"
 
 namespace ajar::v0 {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "api/contents.h"
-#include "session/scene_file.h"
+#include "session/scenes/scene_file.h"
 
 namespace ajar::v0 {
 

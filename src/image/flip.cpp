@@ -34,7 +34,7 @@ constexpr Sensitivity kRedGreen{1.0, 0.0053};
 constexpr std::array<Sensitivity, 2> kBlueYellow{{{34.1, 0.04}, {13.5, 0.025}}};
 constexpr double kWidest = 0.04;
 
-/// Linear RGB (Rec. 709) → XYZ divided by the XYZ of white, for row vectors. Not core/color.h,
+/// Linear RGB (Rec. 709) → XYZ divided by the XYZ of white, for row vectors. Not color/color.h,
 /// whose matrix is rounded otherwise: here the fractions by which the paper's colours are defined.
 const Imath::M33d& relative_xyz_from_rgb() {
   static const Imath::M33d matrix = [] {

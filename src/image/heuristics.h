@@ -63,14 +63,6 @@ struct ImageHeuristics {
   /// Numbers of mutations that are tried for the least of it.
   /// Unit: numbers per octave. Range: > 0. Source: 3077191; set by hand, no study.
   static constexpr double kTriedPerOctave = 2.0;
-
-  // -------------------------------------------------------- edges
-  /// Difference of depths where an edge counts as whole.
-  /// Unit: share of the nearer depth. Range: > 0. Source: d2c038e; set by hand, no study.
-  static constexpr float kDepthStep = 0.05F;
-  /// Angle between normals where an edge counts as whole.
-  /// Unit: radians. Range: > 0. Source: d2c038e; set by hand, no study.
-  static constexpr float kNormalAngle = 0.35F;
 };
 
 }  // namespace ajar

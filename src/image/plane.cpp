@@ -26,10 +26,6 @@ void add_scaled(float* result, const float* values, float weight, int count) {
 }
 }  // namespace
 
-Plane::Plane(Vec2i plane_size)
-    : size(plane_size),
-      values(static_cast<std::size_t>(plane_size.x) * static_cast<std::size_t>(plane_size.y)) {}
-
 Plane filter_plane(const Plane& plane, const SeparableKernel& kernel) {
   // Weight by weight, and row by row in both directions: the compiler makes vectors of the loops.
   const int count = plane.size.x;

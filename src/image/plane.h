@@ -2,25 +2,11 @@
 #include <span>
 #include <vector>
 
+#include "core/plane.h"
 #include "core/vector.h"
 
-/// One channel of an image, as filters take it.
+/// Filters of one channel of an image.
 namespace ajar {
-
-struct Plane {
-  Vec2i size{0, 0};
-  std::vector<float> values;  ///< row by row
-
-  explicit Plane(Vec2i plane_size);
-  float& at(int x, int y) { return values[index(x, y)]; }
-  float at(int x, int y) const { return values[index(x, y)]; }
-
- private:
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-           static_cast<std::size_t>(x);
-  }
-};
 
 /// Weights of a filter that is a product of one function of x and one of y; an odd number of each,
 /// the middle one at the pixel itself. They are applied as a correlation: weight i belongs to the

@@ -13,7 +13,7 @@
 #include "image/channels.h"
 #include "image/heuristics.h"
 #include "image/plane.h"
-#include "image/truth_guess.h"
+#include "image/smoothed_reference.h"
 
 namespace ajar {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "color/srgb.h"
 #include "core/spectrum.h"
-#include "core/srgb.h"
 
 namespace ajar {
 

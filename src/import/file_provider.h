@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/regular_file.h"
+#include "os/regular_file.h"
 
 namespace ajar {
 

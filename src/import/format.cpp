@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/file_extension.h"
+#include "os/file_extension.h"
 
 namespace ajar {
 namespace {

@@ -5,11 +5,11 @@
 #include <stdexcept>
 
 #include "core/archive.h"
-#include "path/edges.h"
 #include "path/inversion.h"
 #include "path/path_archive.h"
 #include "path/replay.h"
 #include "path/testing/plain_scene.h"
+#include "path/visibility.h"
 
 namespace ajar {
 namespace {

@@ -1,7 +1,7 @@
 #include "path/recorder.h"
 
-#include "path/edges.h"
 #include "path/verify.h"
+#include "path/visibility.h"
 
 namespace ajar {
 

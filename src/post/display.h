@@ -1,6 +1,6 @@
 #pragma once
-#include "image/picture.h"
 #include "image/tone_curve.h"
+#include "imageio/picture.h"
 
 namespace ajar {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/color.h"
+#include "color/color.h"
 #include "post/heuristics.h"
 
 namespace ajar {

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "core/memory_file.h"
+#include "os/memory_file.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar {

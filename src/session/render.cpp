@@ -4,11 +4,11 @@
 
 #include <utility>
 
-#include "session/render_files.h"
-#include "session/render_method.h"
-#include "session/render_passes.h"
-#include "session/render_scene.h"
-#include "session/render_state.h"
+#include "session/render/render_files.h"
+#include "session/render/render_method.h"
+#include "session/render/render_passes.h"
+#include "session/render/render_scene.h"
+#include "session/render/render_state.h"
 
 namespace ajar {
 

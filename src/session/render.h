@@ -2,9 +2,9 @@
 #include <memory>
 #include <optional>
 
-#include "session/render_events.h"
-#include "session/render_order.h"
-#include "session/render_outcome.h"
+#include "session/render/render_events.h"
+#include "session/render/render_order.h"
+#include "session/render/render_outcome.h"
 
 namespace ajar {
 

@@ -16,7 +16,7 @@
 #include "core/error.h"
 #include "core/testing/wait_until.h"
 #include "import/pbrt/pbrt_import.h"
-#include "session/scene_file.h"
+#include "session/scenes/scene_file.h"
 #include "session/testing/fake_viewer.h"
 #include "session/testing/thread_ranks.h"
 

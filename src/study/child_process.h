@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "session/interrupts.h"
+#include "session/job/interrupts.h"
 
 namespace ajar::study {
 

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "core/error.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 #include "study/comparison_output.h"
 
 namespace ajar::study {

@@ -9,7 +9,7 @@
 
 #include "core/counting_iterator.h"
 #include "core/error.h"
-#include "core/regular_file.h"
+#include "os/regular_file.h"
 
 namespace ajar::study {
 

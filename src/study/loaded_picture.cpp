@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/file_extension.h"
-#include "image/image_file.h"
-#include "image/picture.h"
 #include "image/tone_curve.h"
+#include "imageio/image_file.h"
+#include "imageio/picture.h"
+#include "os/file_extension.h"
 
 namespace ajar::study {
 

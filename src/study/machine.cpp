@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-#include "session/resources.h"
+#include "session/job/resources.h"
 #include "session/version.h"
 #include "study/child_process.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 
 namespace ajar::study {
 

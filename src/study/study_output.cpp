@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/atomic_file.h"
-#include "session/stats_json.h"
+#include "os/atomic_file.h"
+#include "session/output/stats_json.h"
 #include "study/log_plot.h"
 #include "study/machine.h"
 #include "study/study_report.h"

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "core/error.h"
-#include "session/builtin_scenes.h"
-#include "session/option_values.h"
-#include "session/render_setup.h"
-#include "session/scene_file.h"
+#include "session/options/option_values.h"
+#include "session/render/render_setup.h"
+#include "session/scenes/builtin_scenes.h"
+#include "session/scenes/scene_file.h"
 #include "study/json_reader.h"
 
 namespace ajar::study {

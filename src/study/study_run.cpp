@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/regular_file.h"
-#include "session/stats_json.h"
+#include "os/regular_file.h"
+#include "session/output/stats_json.h"
 #include "session/version.h"
 #include "study/machine.h"
 

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 
 namespace ajar::study {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/random.h"
-#include "image/pfm.h"
+#include "imageio/pfm.h"
 #include "mcmc/moments.h"
 #include "support/methods.h"
 #include "support/render.h"

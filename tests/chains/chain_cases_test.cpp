@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "integrator/integrator.h"
 #include "mcmc/moments.h"
-#include "session/output.h"
+#include "session/output/output.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 #include "support/small_scenes.h"

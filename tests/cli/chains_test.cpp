@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/cli_fixture.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 
 namespace ajar {
 namespace {

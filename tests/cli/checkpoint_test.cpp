@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "cli/cli_fixture.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 #include "session/testing/checksums.h"
 #include "session/testing/fake_viewer.h"
 

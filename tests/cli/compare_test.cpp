@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "cli/cli_fixture.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 #include "post/display.h"
 
 namespace ajar {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli_fixture.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 
 /// Pictures without noise, as users get them.
 namespace ajar::cli {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/cli_fixture.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 
 namespace ajar {
 namespace {

@@ -1,5 +1,5 @@
 #include "cli/cli_fixture.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 
 namespace ajar {
 namespace {

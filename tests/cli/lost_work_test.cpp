@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "cli/cli_fixture.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 
 namespace ajar {
 namespace {

@@ -20,11 +20,14 @@ const std::map<std::string, std::set<std::string>>& rooms() {
   static const std::map<std::string, std::set<std::string>> kRooms = [] {
     std::map<std::string, std::set<std::string>> may{
         {"core", {}},
+        {"os", {"core"}},
+        {"color", {"core"}},
+        {"imageio", {"core", "os"}},
         {"scene/desc", {"core"}},
-        {"scene", {"core", "scene/desc"}},
-        {"import", {"core", "scene/desc"}},
-        {"image", {"core"}},
-        {"post", {"core", "image"}},
+        {"scene", {"core", "os", "color", "imageio", "scene/desc"}},
+        {"import", {"core", "os", "color", "imageio", "scene/desc"}},
+        {"image", {"core", "color"}},
+        {"post", {"core", "os", "color", "imageio", "image"}},
         {"transport", {"core", "scene", "scene/desc"}},
     };
     const auto add = [&](const std::string& room, const std::string& above,
@@ -37,14 +40,17 @@ const std::map<std::string, std::set<std::string>>& rooms() {
     // Numbers and their sources are all that chains of numbers need of transport.
     add("mcmc", "transport", {});
     add("mcmc/path_space", "path", {"mcmc"});
-    add("integrator", "mcmc/path_space", {"image"});
+    add("integrator", "mcmc/path_space", {"color", "image"});
     add("integrator/montecarlo", "integrator", {});
     add("integrator/metropolis", "integrator/montecarlo", {});
-    add("integrator/selective", "integrator/metropolis", {});
+    // Regions and weights that users give come from files.
+    add("integrator/regions", "integrator", {"os", "color", "imageio"});
+    add("integrator/selective", "integrator/metropolis",
+        {"os", "color", "imageio", "integrator/regions"});
     add("session", "integrator/selective", {"import", "post"});
     add("api", "session", {});
-    may["study/report"] = {"core", "image", "post"};
-    may["study"] = {"core", "image", "post", "session", "study/report"};
+    may["study/report"] = {"core", "os", "color", "imageio", "image", "post"};
+    may["study"] = {"core", "os", "color", "imageio", "image", "post", "session", "study/report"};
     add("api/c", "api", {"api", "study", "study/report"});
     add("apps", "session", {"study", "study/report"});
     add("apps/shared", "apps", {"apps"});

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "integrator/integrator.h"
-#include "session/output.h"
+#include "session/output/output.h"
 #include "support/methods.h"
 #include "support/render.h"
 

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "core/number_text.h"
-#include "image/pfm.h"
+#include "imageio/pfm.h"
 #include "scene/coordinate_limit.h"
-#include "session/scene_file.h"
+#include "session/scenes/scene_file.h"
 #include "support/methods.h"
 #include "support/render.h"
 #include "support/room_formats.h"

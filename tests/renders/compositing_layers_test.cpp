@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "image/image_file.h"
-#include "image/read_picture.h"
-#include "session/output.h"
-#include "session/write_picture.h"
+#include "imageio/image_file.h"
+#include "imageio/read_picture.h"
+#include "session/output/output.h"
+#include "session/output/write_picture.h"
 #include "support/render.h"
 #include "support/temporary_file.h"
 

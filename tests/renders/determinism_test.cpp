@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "session/preparation.h"
-#include "session/render_job.h"
-#include "session/render_setup.h"
+#include "session/job/preparation.h"
+#include "session/job/render_job.h"
+#include "session/render/render_setup.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 

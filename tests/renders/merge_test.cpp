@@ -1,5 +1,5 @@
 // Merged renders of different seeds are as good as one long render, and their error bars are right.
-#include "session/merge.h"
+#include "session/checkpoint/merge.h"
 
 #include <gtest/gtest.h>
 

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "core/archive.h"
-#include "session/checkpoint.h"
-#include "session/preparation.h"
-#include "session/render_job.h"
-#include "session/render_setup.h"
+#include "session/checkpoint/checkpoint.h"
+#include "session/job/preparation.h"
+#include "session/job/render_job.h"
+#include "session/render/render_setup.h"
 #include "session/testing/thread_ranks.h"
 #include "session/version.h"
 #include "support/render.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 #include "report/example_content.h"
 #include "study/report/report.h"
 

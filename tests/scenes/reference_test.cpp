@@ -8,7 +8,7 @@
 #include <numeric>
 #include <optional>
 
-#include "image/image_file.h"
+#include "imageio/image_file.h"
 #include "import/import.h"
 #include "support/methods.h"
 #include "support/render.h"

@@ -6,7 +6,7 @@
 
 #include "import/pbrt/pbrt_import.h"
 #include "scene/testing/transforms.h"
-#include "session/scene_file.h"
+#include "session/scenes/scene_file.h"
 #include "support/methods.h"
 #include "support/render.h"
 #include "support/small_scenes.h"

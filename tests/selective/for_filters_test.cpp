@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "session/output.h"
+#include "session/output/output.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 

@@ -15,8 +15,8 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "image/image_file.h"
 #include "image/metrics.h"
+#include "imageio/image_file.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 #include "support/small_scenes.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "session/preparation.h"
+#include "session/job/preparation.h"
 #include "support/methods.h"
 #include "support/render.h"
 #include "support/small_scenes.h"

@@ -13,10 +13,10 @@
 #include <thread>
 
 #include "core/archive.h"
-#include "session/checkpoint_writer.h"
-#include "session/preparation.h"
-#include "session/render_job.h"
-#include "session/render_setup.h"
+#include "session/checkpoint/checkpoint_writer.h"
+#include "session/job/preparation.h"
+#include "session/job/render_job.h"
+#include "session/render/render_setup.h"
 #include "session/version.h"
 #include "support/render.h"
 #include "support/small_scenes.h"

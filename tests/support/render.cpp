@@ -10,10 +10,10 @@
 #include "core/milestones.h"
 #include "import/pbrt/pbrt_import.h"
 #include "integrator/integrator.h"
-#include "session/preparation.h"
-#include "session/render_job.h"
-#include "session/render_setup.h"
-#include "session/scene_file.h"
+#include "session/job/preparation.h"
+#include "session/job/render_job.h"
+#include "session/render/render_setup.h"
+#include "session/scenes/scene_file.h"
 
 namespace ajar::test {
 

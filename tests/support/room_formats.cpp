@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "core/image_encoder.h"
-#include "core/regular_file.h"
-#include "core/srgb.h"
+#include "color/srgb.h"
 #include "core/vector.h"
+#include "imageio/image_encoder.h"
+#include "os/regular_file.h"
 
 namespace ajar::test {
 namespace {

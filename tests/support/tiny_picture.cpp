@@ -7,7 +7,7 @@
 #include <fstream>
 #include <utility>
 
-#include "core/image_encoder.h"
+#include "imageio/image_encoder.h"
 #include "scene/scene.h"
 #include "support/render.h"
 

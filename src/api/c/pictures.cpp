@@ -2,8 +2,8 @@
 #include "api/c/json_text.h"
 #include "api/contents.h"
 #include "image/flip.h"
-#include "image/read_picture.h"
-#include "session/limits.h"
+#include "imageio/read_picture.h"
+#include "session/options/limits.h"
 #include "study/comparison.h"
 #include "study/comparison_output.h"
 

@@ -9,7 +9,7 @@
 #include "api/c/json_text.h"
 #include "api/contents.h"
 #include "import/code/scene_changes.h"
-#include "session/catalog.h"
+#include "session/scenes/catalog.h"
 #include "session/version.h"
 
 using ajar::c::give_text;

@@ -16,11 +16,11 @@
 
 #include "apps/cli/commands.h"
 #include "core/error.h"
-#include "core/standard_streams.h"
 #include "import/format.h"
+#include "os/standard_streams.h"
 #include "post/denoise/denoiser.h"
-#include "session/catalog.h"
-#include "session/option_values.h"
+#include "session/options/option_values.h"
+#include "session/scenes/catalog.h"
 #include "session/version.h"
 #include "study/metric.h"
 

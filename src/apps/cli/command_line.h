@@ -1,5 +1,5 @@
 #pragma once
-#include "session/ranks.h"
+#include "session/job/ranks.h"
 
 namespace ajar::cli {
 

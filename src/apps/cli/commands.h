@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "image/flip.h"
-#include "session/display.h"
-#include "session/option_values.h"
-#include "session/ranks.h"
+#include "session/job/ranks.h"
+#include "session/options/display.h"
+#include "session/options/option_values.h"
 
 /// What the commands of the program are told, as written on the command line. Each command returns
 /// an exit code or raises an `Error`.

@@ -4,8 +4,8 @@
 
 #include "apps/cli/messages.h"
 #include "apps/cli/render_report.h"
-#include "session/interrupts.h"
-#include "session/render_outcome.h"
+#include "session/job/interrupts.h"
+#include "session/render/render_outcome.h"
 
 namespace ajar::cli {
 

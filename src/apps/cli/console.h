@@ -3,7 +3,7 @@
 #include <string>
 
 #include "apps/cli/progress_reporter.h"
-#include "session/render_events.h"
+#include "session/render/render_events.h"
 
 namespace ajar::cli {
 

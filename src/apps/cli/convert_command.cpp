@@ -3,10 +3,10 @@
 #include "core/error.h"
 #include "core/warnings.h"
 #include "import/format.h"
-#include "session/option_values.h"
-#include "session/output.h"
-#include "session/scene_file.h"
-#include "session/written_paths.h"
+#include "session/options/option_values.h"
+#include "session/output/output.h"
+#include "session/output/written_paths.h"
+#include "session/scenes/scene_file.h"
 
 namespace ajar::cli {
 

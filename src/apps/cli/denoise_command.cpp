@@ -3,12 +3,12 @@
 #include "apps/cli/exit_codes.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/render_report.h"
-#include "core/available_memory.h"
 #include "core/error.h"
-#include "image/read_picture.h"
-#include "session/denoise_file.h"
-#include "session/output.h"
-#include "session/written_paths.h"
+#include "imageio/read_picture.h"
+#include "os/available_memory.h"
+#include "session/output/denoise_file.h"
+#include "session/output/output.h"
+#include "session/output/written_paths.h"
 
 namespace ajar::cli {
 

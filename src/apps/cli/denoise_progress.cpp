@@ -5,8 +5,8 @@
 #include <atomic>
 
 #include "apps/cli/progress_reporter.h"
-#include "session/interrupts.h"
-#include "session/resources.h"
+#include "session/job/interrupts.h"
+#include "session/job/resources.h"
 
 namespace ajar::cli {
 

@@ -9,15 +9,15 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "core/printable_text.h"
-#include "core/standard_streams.h"
 #include "core/warnings.h"
+#include "os/standard_streams.h"
 #include "scene/scene.h"
-#include "session/memory_estimate.h"
-#include "session/option_values.h"
-#include "session/progress.h"
-#include "session/render_setup.h"
-#include "session/resources.h"
-#include "session/scene_file.h"
+#include "session/job/progress.h"
+#include "session/job/resources.h"
+#include "session/options/option_values.h"
+#include "session/render/memory_estimate.h"
+#include "session/render/render_setup.h"
+#include "session/scenes/scene_file.h"
 
 namespace ajar::cli {
 

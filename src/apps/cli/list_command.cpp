@@ -3,8 +3,8 @@
 
 #include "apps/cli/commands.h"
 #include "core/error.h"
-#include "core/standard_streams.h"
-#include "session/catalog.h"
+#include "os/standard_streams.h"
+#include "session/scenes/catalog.h"
 
 namespace ajar::cli {
 

@@ -8,14 +8,14 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/render_report.h"
 #include "core/error.h"
-#include "session/merge.h"
-#include "session/picture_filter.h"
-#include "session/picture_range.h"
-#include "session/render_concerns.h"
-#include "session/render_writers.h"
-#include "session/resources.h"
-#include "session/statistics_of.h"
-#include "session/written_paths.h"
+#include "session/checkpoint/merge.h"
+#include "session/job/resources.h"
+#include "session/output/picture_filter.h"
+#include "session/output/picture_range.h"
+#include "session/output/written_paths.h"
+#include "session/render/render_concerns.h"
+#include "session/render/render_writers.h"
+#include "session/render/statistics_of.h"
 
 namespace ajar::cli {
 

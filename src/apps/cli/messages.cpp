@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/printable_text.h"
-#include "core/standard_streams.h"
 #include "core/warning_digest.h"
+#include "os/standard_streams.h"
 
 namespace ajar::cli {
 

@@ -3,8 +3,8 @@
 #include "apps/cli/command_line.h"
 #include "apps/cli/guard.h"
 #include "apps/cli/several_ranks.h"
-#include "core/standard_streams.h"
-#include "session/interrupts.h"
+#include "os/standard_streams.h"
+#include "session/job/interrupts.h"
 
 namespace ajar::cli {
 

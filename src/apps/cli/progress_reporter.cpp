@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/standard_streams.h"
-#include "session/progress.h"
+#include "os/standard_streams.h"
+#include "session/job/progress.h"
 
 using namespace std::chrono_literals;
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <thread>
 
-#include "session/render_job.h"
+#include "session/job/render_job.h"
 
 namespace ajar::cli {
 

@@ -6,10 +6,10 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/render_run.h"
 #include "core/error.h"
-#include "session/catalog.h"
-#include "session/filter_option.h"
-#include "session/option_values.h"
-#include "session/render_setup.h"
+#include "session/options/filter_option.h"
+#include "session/options/option_values.h"
+#include "session/render/render_setup.h"
+#include "session/scenes/catalog.h"
 
 namespace ajar::cli {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "apps/cli/messages.h"
-#include "image/image_file.h"
-#include "session/exposure_advice.h"
-#include "session/progress.h"
+#include "imageio/image_file.h"
+#include "session/job/progress.h"
+#include "session/output/exposure_advice.h"
 
 namespace ajar::cli {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "session/output.h"
-#include "session/render_job.h"
-#include "session/stats_json.h"
+#include "session/job/render_job.h"
+#include "session/output/output.h"
+#include "session/output/stats_json.h"
 
 /// What the program says at the end of a render.
 namespace ajar::cli {

@@ -6,8 +6,8 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/exit_codes.h"
-#include "session/interrupts.h"
-#include "session/option_values.h"
+#include "session/job/interrupts.h"
+#include "session/options/option_values.h"
 #include "session/render.h"
 
 namespace ajar::cli {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "apps/cli/commands.h"
-#include "session/render_order.h"
+#include "session/render/render_order.h"
 
 namespace ajar::cli {
 

@@ -8,8 +8,8 @@
 #include "apps/cli/guard.h"
 #include "apps/cli/messages.h"
 #include "apps/mpi/mpi_ranks.h"
-#include "core/standard_streams.h"
-#include "session/interrupts.h"
+#include "os/standard_streams.h"
+#include "session/job/interrupts.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <mpi.h>
 
-#include "session/ranks.h"
+#include "session/job/ranks.h"
 
 namespace ajar {
 

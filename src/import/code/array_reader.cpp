@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/image_encoder.h"
+#include "imageio/image_encoder.h"
 #include "import/mesh/validate_mesh.h"
 
 namespace ajar::code {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/color.h"
-#include "core/daylight.h"
+#include "color/color.h"
+#include "color/daylight.h"
 #include "import/common/degree.h"
 #include "import/common/transforms.h"
 #include "scene/desc/models.h"

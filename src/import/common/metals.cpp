@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/color.h"
+#include "color/color.h"
 
 namespace ajar {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/regular_file.h"
+#include "os/regular_file.h"
 
 namespace ajar {
 

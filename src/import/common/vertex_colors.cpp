@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/image_encoder.h"
+#include "imageio/image_encoder.h"
 
 namespace ajar {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "core/available_memory.h"
 #include "core/printable_text.h"
+#include "os/available_memory.h"
 
 namespace ajar::gltf {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "core/srgb.h"
+#include "color/srgb.h"
 #include "core/vector.h"
 
 namespace ajar {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/available_memory.h"
 #include "core/error.h"
 #include "import/mesh/gzip.h"
+#include "os/available_memory.h"
 
 namespace ajar {
 namespace {

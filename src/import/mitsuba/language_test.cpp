@@ -1,5 +1,5 @@
 // What is common to all plugins: parameters, includes, ids, colours, transforms, messages.
-#include "core/color.h"
+#include "color/color.h"
 #include "import/mitsuba/import_test_support.h"
 #include "import/mitsuba/names.h"
 

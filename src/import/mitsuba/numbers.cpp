@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/srgb.h"
+#include "color/srgb.h"
 #include "import/mitsuba/names.h"
 
 namespace ajar::mitsuba {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/color.h"
+#include "color/color.h"
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/numbers.h"

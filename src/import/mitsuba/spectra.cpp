@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/color.h"
+#include "color/color.h"
 #include "core/error.h"
 #include "import/common/metals.h"
 #include "import/common/printable.h"

@@ -4,11 +4,11 @@
 #include <bit>
 #include <cmath>
 
-#include "core/available_memory.h"
-#include "core/noise.h"
 #include "core/parallel_for.h"
+#include "core/perlin_noise.h"
 #include "import/common/density.h"
 #include "import/common/printable.h"
+#include "os/available_memory.h"
 
 namespace ajar::pbrt {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/file_extension.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/light_names.h"
 #include "import/pbrt/node_reader.h"
 #include "import/pbrt/own_words.h"
+#include "os/file_extension.h"
 #include "scene/desc/models.h"
 
 namespace ajar::pbrt {

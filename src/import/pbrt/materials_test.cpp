@@ -1,7 +1,7 @@
 // Materials, spectra and textures: pbrt-v3's defaults and meanings.
 #include <gtest/gtest.h>
 
-#include "core/color.h"
+#include "color/color.h"
 #include "core/spectrum.h"
 #include "import/common/metals.h"
 #include "import/pbrt/import_test_support.h"

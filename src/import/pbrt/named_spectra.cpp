@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "core/cie_illuminants.h"
-#include "core/color.h"
+#include "color/cie_illuminants.h"
+#include "color/color.h"
 
 namespace ajar::pbrt {
 namespace {

@@ -10,10 +10,10 @@
 #include <tuple>
 #include <vector>
 
-#include "core/available_memory.h"
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/mesh/inflate.h"
+#include "os/available_memory.h"
 
 namespace ajar::pbrt {
 namespace {

@@ -4,9 +4,7 @@
 #include <filesystem>
 #include <map>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/file_extension.h"
 #include "import/common/transforms.h"
 #include "import/mesh/ply.h"
 #include "import/pbrt/light_names.h"
@@ -16,6 +14,8 @@
 #include "import/pbrt/writer_context.h"
 #include "import/pbrt/writer_curves.h"
 #include "import/pbrt/writer_files.h"
+#include "os/atomic_file.h"
+#include "os/file_extension.h"
 #include "scene/desc/models.h"
 
 namespace ajar {

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/regular_file.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/import_test_support.h"
+#include "os/regular_file.h"
 #include "scene/desc/models.h"
 #include "scene/medium/color_field.h"
 

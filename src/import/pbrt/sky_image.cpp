@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/daylight.h"
+#include "color/daylight.h"
 #include "core/spectrum.h"
 #include "core/sphere_mapping.h"
 

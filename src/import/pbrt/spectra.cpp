@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/color.h"
+#include "color/color.h"
 #include "import/common/metals.h"
 #include "import/common/printable.h"
 #include "import/pbrt/color_space.h"

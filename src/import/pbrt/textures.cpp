@@ -6,13 +6,13 @@
 #include <iterator>
 #include <utility>
 
-#include "core/file_extension.h"
 #include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/node_reader.h"
 #include "import/pbrt/own_words.h"
 #include "import/pbrt/texture_names.h"
+#include "os/file_extension.h"
 
 namespace ajar::pbrt {
 namespace {

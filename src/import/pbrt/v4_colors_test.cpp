@@ -1,5 +1,5 @@
 // Colours of pbrt-v4: spaces, photometric scale of lights, named spectra.
-#include "core/color.h"
+#include "color/color.h"
 #include "core/spectrum.h"
 #include "import/pbrt/color_space.h"
 #include "import/pbrt/v4_test_support.h"

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "core/atomic_file.h"
 #include "core/content_hash.h"
 #include "core/error.h"
-#include "core/regular_file.h"
+#include "os/atomic_file.h"
+#include "os/regular_file.h"
 
 namespace ajar::pbrt {
 

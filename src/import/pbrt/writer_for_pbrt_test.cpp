@@ -5,14 +5,14 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/daylight.h"
-#include "core/image_encoder.h"
-#include "core/image_input.h"
-#include "core/regular_file.h"
-#include "core/srgb.h"
+#include "color/daylight.h"
+#include "color/srgb.h"
+#include "imageio/image_encoder.h"
+#include "imageio/image_input.h"
 #include "import/import.h"
 #include "import/pbrt/import_test_support.h"
 #include "import/pbrt/pbrt_writer.h"
+#include "os/regular_file.h"
 #include "scene/desc/models.h"
 #include "scene/testing/another_value.h"
 

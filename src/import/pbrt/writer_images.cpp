@@ -6,13 +6,13 @@
 #include <cmath>
 #include <vector>
 
+#include "color/srgb.h"
 #include "core/error.h"
-#include "core/file_extension.h"
-#include "core/image_encoder.h"
-#include "core/image_input.h"
-#include "core/memory_file.h"
 #include "core/spectrum.h"
-#include "core/srgb.h"
+#include "imageio/image_encoder.h"
+#include "imageio/image_input.h"
+#include "os/file_extension.h"
+#include "os/memory_file.h"
 #include "scene/desc/models.h"
 
 namespace ajar::pbrt {

@@ -5,13 +5,13 @@
 #include <new>
 #include <utility>
 
-#include "core/file_extension.h"
 #include "import/mesh/creased_normals.h"
 #include "import/mesh/obj.h"
 #include "import/mesh/ply.h"
 #include "import/mesh/validate_mesh.h"
 #include "import/tungsten/object_reader.h"
 #include "import/tungsten/wo3.h"
+#include "os/file_extension.h"
 
 namespace ajar::tungsten {
 namespace {

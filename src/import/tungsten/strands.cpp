@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "core/file_extension.h"
 #include "import/common/spline_segments.h"
+#include "os/file_extension.h"
 
 namespace ajar::tungsten {
 namespace {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "core/archive.h"
-#include "image/optimal_thresholds.h"
 #include "image/visible_error.h"
 #include "integrator/selective/heuristics.h"
+#include "integrator/selective/optimal_thresholds.h"
 
 namespace ajar {
 

@@ -10,7 +10,7 @@
 #include "integrator/metropolis/path_space.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/montecarlo/path_parameters.h"
-#include "integrator/selective/crop_weights.h"
+#include "integrator/regions/crop_weights.h"
 
 namespace ajar {
 

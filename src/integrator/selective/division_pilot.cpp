@@ -9,9 +9,9 @@
 
 #include "core/random.h"
 #include "core/random_use.h"
-#include "image/edges.h"
 #include "integrator/division.h"
 #include "integrator/make_filter.h"
+#include "integrator/regions/surface_edges.h"
 #include "integrator/selective/chain_bootstrap.h"
 #include "integrator/selective/chain_share.h"
 #include "integrator/selective/heuristics.h"

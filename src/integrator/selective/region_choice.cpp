@@ -5,12 +5,12 @@
 #include <map>
 #include <optional>
 
-#include "image/noise.h"
-#include "image/optimal_thresholds.h"
-#include "image/optimal_weights.h"
 #include "image/pixel_at.h"
 #include "integrator/division.h"
+#include "integrator/regions/impulse_noise.h"
 #include "integrator/selective/heuristics.h"
+#include "integrator/selective/optimal_thresholds.h"
+#include "integrator/selective/optimal_weights.h"
 #include "integrator/selective/weighted_errors.h"
 
 namespace ajar {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/file_extension.h"
-#include "core/regular_file.h"
-#include "integrator/selective/crop_weights.h"
+#include "integrator/regions/crop_weights.h"
 #include "integrator/selective/heuristics.h"
+#include "os/file_extension.h"
+#include "os/regular_file.h"
 
 namespace ajar {
 

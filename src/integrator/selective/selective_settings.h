@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/parameters.h"
-#include "image/region_map.h"
-#include "image/region_rules.h"
 #include "integrator/integrator.h"
+#include "integrator/regions/region_map.h"
+#include "integrator/regions/region_rules.h"
 #include "integrator/selective/pilot_use.h"
 
 namespace ajar {

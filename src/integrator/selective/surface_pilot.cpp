@@ -2,10 +2,10 @@
 
 #include "core/random.h"
 #include "core/random_use.h"
-#include "image/edges.h"
 #include "image/identities.h"
 #include "integrator/make_filter.h"
 #include "integrator/montecarlo/path_family.h"
+#include "integrator/regions/surface_edges.h"
 #include "integrator/selective/heuristics.h"
 
 namespace ajar {

@@ -25,7 +25,7 @@ class SurfacePilot final : public PreparationStage {
 
   /// Object and material that most rays of a pixel met.
   const std::vector<PixelIdentity>& identities() const { return identities_; }
-  /// Edges between surfaces (image/edges.h).
+  /// Edges between surfaces (integrator/regions/surface_edges.h).
   const Plane& edges() const { return *edges_; }
 
  private:

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "path/edges.h"
 #include "path/measure.h"
+#include "path/visibility.h"
 
 namespace ajar {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/regular_file.h"
+#include "os/regular_file.h"
 
 namespace ajar {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/image_input.h"
-#include "core/srgb.h"
+#include "color/srgb.h"
+#include "imageio/image_input.h"
 #include "scene/named_file.h"
 
 namespace ajar {

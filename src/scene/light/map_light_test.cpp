@@ -4,8 +4,8 @@
 #include <fstream>
 #include <map>
 
-#include "core/color.h"
-#include "core/daylight.h"
+#include "color/color.h"
+#include "color/daylight.h"
 #include "scene/light/light_test_support.h"
 #include "scene/light/map.h"
 #include "scene/light/sphere_map.h"

@@ -2,7 +2,7 @@
 // and a map can be sampled.
 #include <utility>
 
-#include "core/daylight.h"
+#include "color/daylight.h"
 #include "scene/light/models.h"
 
 namespace ajar {

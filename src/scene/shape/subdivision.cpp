@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/available_memory.h"
+#include "os/available_memory.h"
 #include "scene/shape/inputs.h"
 #include "scene/shape/loop_subdivision.h"
 

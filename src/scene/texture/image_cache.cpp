@@ -6,10 +6,10 @@
 #include <set>
 #include <type_traits>
 
-#include "core/available_memory.h"
 #include "core/error.h"
-#include "core/image_input.h"
 #include "core/parallel_for.h"
+#include "imageio/image_input.h"
+#include "os/available_memory.h"
 #include "scene/named_file.h"
 
 namespace ajar {

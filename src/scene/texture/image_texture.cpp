@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "color/srgb.h"
 #include "core/floor_to_int.h"
-#include "core/srgb.h"
 #include "scene/texture/constant_texture.h"
 #include "scene/texture/inputs.h"
 #include "scene/texture/mapping.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/image_encoder.h"
+#include "imageio/image_encoder.h"
 #include "scene/desc/models.h"
 #include "scene/light/map.h"
 #include "scene/material/relief.h"

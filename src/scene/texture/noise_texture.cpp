@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/noise.h"
+#include "core/perlin_noise.h"
 #include "scene/texture/inputs.h"
 #include "scene/texture/mapping.h"
 

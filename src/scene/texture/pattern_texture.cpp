@@ -1,7 +1,7 @@
 // Textures that are simple functions of two texture coordinates (and the solid checkerboard).
 // Source: pbrt-v3, sections 10.3.3, 10.5 and 10.6.2.
 #include "core/floor_to_int.h"
-#include "core/noise.h"
+#include "core/perlin_noise.h"
 #include "scene/texture/inputs.h"
 #include "scene/texture/mapping.h"
 

@@ -7,12 +7,12 @@
 #include <thread>
 #include <vector>
 
-#include "session/output.h"
-#include "session/pass_observer.h"
-#include "session/picture_filter.h"
+#include "session/job/pass_observer.h"
+#include "session/job/resources.h"
+#include "session/output/output.h"
+#include "session/output/picture_filter.h"
+#include "session/output/repeated_writing.h"
 #include "session/preview/tcp_stream.h"
-#include "session/repeated_writing.h"
-#include "session/resources.h"
 
 namespace ajar {
 

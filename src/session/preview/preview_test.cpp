@@ -8,10 +8,10 @@
 
 #include "core/error.h"
 #include "core/testing/wait_until.h"
+#include "session/job/render_job.h"
 #include "session/preview/tev_packets.h"
-#include "session/render_job.h"
-#include "session/test_integrator.h"
 #include "session/testing/fake_viewer.h"
+#include "session/testing/test_integrator.h"
 
 namespace ajar {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "session/output.h"
+#include "session/output/output.h"
 
 namespace ajar {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "session/ranks.h"
+#include "session/job/ranks.h"
 
 namespace ajar {
 

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/parallel_for.h"
-#include "image/image_file.h"
+#include "imageio/image_file.h"
+#include "os/atomic_file.h"
 #include "post/display.h"
 #include "study/report/page_files.h"
 #include "study/report/pixel_code.h"

@@ -1,0 +1,128 @@
+#pragma once
+#include "core/archive.h"
+#include "session/checkpoint/checkpoint.h"
+
+/// How the parts of a checkpoint are written and read. Whoever changes this must raise
+/// `kCheckpointFormat`.
+namespace ajar {
+
+template <Archive A>
+void serialize(A& archive, WorkShare& share) {
+  archive(share.index, share.count);
+}
+
+template <Archive A>
+void serialize(A& archive, RenderSettings& settings) {
+  archive(settings.resolution.x, settings.resolution.y, settings.crop.min.x, settings.crop.min.y,
+          settings.crop.max.x, settings.crop.max.y, settings.min_depth, settings.max_depth,
+          settings.seed, settings.replicates, settings.aovs, settings.for_filters);
+}
+
+template <Archive A>
+void serialize(A& archive, RenderRecord& record) {
+  archive(record.scene, record.definitions, record.scene_hash, record.integrator, record.parameters,
+          record.given, record.settings, record.aovs, record.filter, record.film_scale,
+          record.share);
+}
+
+template <Archive A>
+void serialize(A& archive, MergedRun& run) {
+  archive(run.seed, run.samples_per_pixel);
+}
+
+template <Archive A>
+void serialize(A& archive, Budget& budget) {
+  archive(budget.samples_per_pixel, budget.seconds, budget.target_error, budget.denoised_target);
+}
+
+template <Archive A>
+void serialize(A& archive, LayerSpec& spec) {
+  archive(spec.name, spec.has_replicates, spec.magnitude, spec.holds_identities, spec.part_of,
+          spec.instead_of, spec.box_of);
+}
+
+template <Archive A>
+void serialize(A& archive, std::pair<std::string, Plane>& map) {
+  archive(map.first, map.second.size.x, map.second.size.y, map.second.values);
+}
+
+template <Archive A>
+void serialize(A& archive, DevelopScale& scale) {
+  archive(scale.factor, scale.pixels);
+}
+
+template <Archive A>
+void serialize(A& archive, Development& development) {
+  archive(development.whole, development.replicates, development.misses_light);
+  // Planes have no value without a size, so that containers cannot make them.
+  auto maps = static_cast<std::uint32_t>(development.maps.size());
+  auto masks = static_cast<std::uint32_t>(development.antialias_mask ? 1 : 0);
+  archive(maps, masks);
+  if constexpr (A::is_loading::value) {
+    development.maps.clear();
+    if (masks > 0) development.antialias_mask.emplace(Vec2i(0, 0));
+  }
+  for (std::uint32_t i = 0; i < maps; ++i) {
+    // One by one: however many a file claims, there may be fewer.
+    if constexpr (A::is_loading::value) development.maps.emplace_back("", Plane(Vec2i(0, 0)));
+    serialize(archive, development.maps[i]);
+  }
+  if (development.antialias_mask) {
+    Plane& mask = *development.antialias_mask;
+    archive(mask.size.x, mask.size.y, mask.values);
+  }
+}
+
+template <Archive A>
+void serialize(A& archive, Counters& counters) {
+  for (const auto number : kEventCounts) archive(counters.*number);
+  archive(counters.first_discarded);
+  std::vector<double> sums = counters.techniques.sums();
+  archive(sums);
+  if constexpr (A::is_loading::value) {
+    counters.techniques = {};
+    counters.techniques.add_sums(sums);
+  }
+}
+
+template <Archive A>
+void serialize(A& archive, PartialPass& pass) {
+  archive(pass.first_sample, pass.samples, pass.done, pass.round, pass.rounds);
+}
+
+template <Archive A>
+void serialize(A& archive, JobState::ErrorMark& mark) {
+  archive(mark.samples, mark.error);
+}
+
+template <Archive A>
+void serialize(A& archive, RelativeError& error) {
+  archive(error.value, error.places, error.half_of_it, error.has_fireflies, error.misses_light);
+}
+
+template <Archive A>
+void serialize(A& archive, JobState& job) {
+  archive(job.samples_per_pixel, job.partial, job.counters, job.passes, job.seconds,
+          job.cpu_seconds, job.chain_seconds, job.seconds_per_sample, job.relative_error,
+          job.error_samples, job.recent_errors);
+}
+
+/// All but the film's sums.
+template <Archive A>
+void serialize(A& archive, Checkpoint& checkpoint) {
+  bool unprepared = checkpoint.unprepared.has_value();
+  bool of_samples = checkpoint.unprepared == Shortage::Samples;
+  archive(checkpoint.version, checkpoint.render, checkpoint.budget, checkpoint.outputs,
+          checkpoint.tone_map, checkpoint.exposure.automatic, checkpoint.exposure.stops,
+          checkpoint.denoiser, checkpoint.features.albedo, checkpoint.features.normal,
+          checkpoint.layers, checkpoint.scales, checkpoint.job, checkpoint.integrator_state,
+          checkpoint.preparation, unprepared, of_samples, checkpoint.preparation_rounds,
+          checkpoint.other_seconds, checkpoint.resumptions, checkpoint.interruptions,
+          checkpoint.merged);
+  if constexpr (A::is_loading::value) {
+    checkpoint.unprepared.reset();
+    if (unprepared) checkpoint.unprepared = of_samples ? Shortage::Samples : Shortage::Time;
+  }
+}
+
+}  // namespace ajar

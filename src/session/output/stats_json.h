@@ -1,0 +1,71 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/vector.h"
+#include "core/warnings.h"
+#include "session/job/render_job.h"
+#include "session/options/display.h"
+
+namespace ajar {
+
+/// Wall clock of the steps before rendering and after it, seconds.
+struct StepTimes {
+  double load = 0.0;     ///< files → description
+  double build = 0.0;    ///< description → scene, acceleration structures
+  double prepare = 0.0;  ///< integrator, film
+  double denoise = 0.0;  ///< of the last picture; after rendering
+};
+
+/// Everything that `--stats` says about a render.
+struct RenderStatistics {
+  std::string scene;
+  std::uint64_t scene_hash = 0;
+  std::string integrator;
+  std::map<std::string, std::string, std::less<>> parameters;
+  std::uint64_t seed = 0;
+  int replicates = 0;
+  int min_depth = 0;
+  int max_depth = 0;
+  Vec2i resolution{0, 0};
+  Box2i crop;          ///< inclusive
+  std::string filter;  ///< instead of the scene's; may be empty
+  StepTimes times;
+  RenderResult result;
+  Counters preparation;  ///< what was spent before the first pass
+  bool prepared = true;  ///< false: there was no time for it
+  Budget budget;
+  WorkShare share;
+  std::string checkpoint;                      ///< file; empty: none
+  std::string resumed_from;                    ///< file; empty: this run began anew
+  std::uint32_t resumptions = 0;               ///< of the whole render
+  std::uint32_t interruptions = 0;             ///< by signals
+  int ranks = 1;                               ///< processes that rendered together
+  std::shared_ptr<const MethodReport> report;  ///< null: nothing is told
+  std::uint64_t peak_memory_bytes = 0;
+  std::size_t warning_count = 0;
+  std::vector<std::string> warnings;  ///< texts, at most `Warnings::kMaxKept`
+  std::vector<std::string> outputs;
+  std::optional<double> denoised_error;         ///< see `denoised_error`
+  std::vector<ErrorAtScale> errors_by_scale{};  ///< estimated; empty: unknown
+  std::string denoiser;                         ///< name and version; empty: nothing was filtered
+  Exposure exposure;  ///< of pictures for the eye: `stops` are those used, whoever chose them
+};
+
+/// Statistics as JSON with the keys of the manual (docs/command-line.md), those of the method's own
+/// report among them. What is not known is null.
+nlohmann::ordered_json to_json(const RenderStatistics& statistics);
+
+/// The same as text for the metadata of images: flat, one entry per parameter and number, keys
+/// begin with "ajar:".
+std::map<std::string, std::string> to_metadata(const RenderStatistics& statistics);
+
+/// Writes a file in one step (`write_file_atomically`). Raises IoError.
+void write_json(const nlohmann::ordered_json& json, const std::string& path);
+
+}  // namespace ajar

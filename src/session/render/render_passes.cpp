@@ -1,0 +1,222 @@
+#include "session/render/render_passes.h"
+
+#include <atomic>
+#include <filesystem>
+#include <utility>
+
+#include "session/job/resources.h"
+#include "session/output/picture_range.h"
+#include "session/render/event_teller.h"
+#include "session/render/render_concerns.h"
+#include "session/render/render_writers.h"
+#include "session/render/statistics_of.h"
+#include "session/version.h"
+
+namespace ajar {
+
+namespace {
+
+std::string absolute_path(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  return error ? path : absolute.lexically_normal().string();
+}
+
+Checkpoint checkpoint_base(const RenderState& state) {
+  Checkpoint base;
+  base.version = version();
+  base.render = state.plan->record;
+  base.budget = state.plan->setup.budget;
+  for (const std::string& path : state.order.files.pictures) {
+    base.outputs.push_back(absolute_path(path));
+  }
+  base.tone_map = state.order.files.tone_map_name();
+  base.exposure = state.order.files.exposure.value_or(Exposure());
+  base.denoiser = state.order.files.denoiser_name();
+  if (state.filter) base.features = state.filter->features();
+  base.layers.assign(state.film->layers().begin(), state.film->layers().end());
+  base.preparation =
+      state.order.resumed ? state.order.resumed->preparation : state.statistics.preparation;
+  base.unprepared = state.unprepared;
+  base.preparation_rounds = state.preparation_rounds;
+  base.other_seconds = state.other_seconds;
+  base.resumptions = state.statistics.resumptions;
+  base.interruptions = state.statistics.interruptions;
+  return base;
+}
+
+/// As well as it can be filtered. False if `progress` ended it.
+bool add_best_layers(const RenderState& state, const Film& film, std::uint64_t samples,
+                     Picture& picture, const Denoiser::Progress& progress) {
+  const PictureEstimates estimates =
+      estimates_of(film, development_of(film, *state.integrator, samples), samples,
+                   state.plan->record.film_scale);
+  return state.filter->add_best_layers(picture, estimates, progress);
+}
+
+/// A user who wants to stop has to wait for it: the render would go on otherwise after a resume.
+std::optional<double> estimate_denoised_error(const RenderState& state, const Film& film,
+                                              std::uint64_t samples) {
+  Picture picture = develop(film, *state.integrator, samples, state.plan->record.film_scale, {});
+  add_best_layers(state, film, samples, picture, {});
+  return denoised_error(picture);
+}
+
+RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> observers) {
+  RenderJobOptions options;
+  options.budget = state.plan->setup.budget;
+  // A time limit covers everything after loading.
+  if (options.budget.seconds) *options.budget.seconds -= state.other_seconds;
+  options.threads = state.order.threads;
+  options.estimate_error = [&integrator = *state.integrator](const Film& film,
+                                                             std::uint64_t samples) {
+    return estimate_error(film, integrator, samples);
+  };
+  options.estimate_denoised_error = [&state](const Film& film, std::uint64_t samples) {
+    return estimate_denoised_error(state, film, samples);
+  };
+  options.interrupts = &state.interrupts;
+  options.share = state.order.share;
+  options.ranks = state.order.ranks;
+  if (state.order.resumed) {
+    options.resumed = std::move(state.order.resumed->job);
+    const bool is_of_same_picture =
+        state.order.resumed->budget.denoised_target == options.budget.denoised_target &&
+        (!options.budget.denoised_target ||
+         state.order.resumed->denoiser == state.order.files.denoiser_name());
+    // Errors of the one picture say nothing of those of the other.
+    if (!is_of_same_picture) options.resumed->recent_errors.clear();
+  }
+  options.observers = std::move(observers);
+  return options;
+}
+
+/// While it lives, passes may be looked at.
+class OpenPasses {
+ public:
+  explicit OpenPasses(BetweenPasses& passes) : passes_(passes) { passes_.open(); }
+  ~OpenPasses() { passes_.close(); }
+  OpenPasses(const OpenPasses&) = delete;
+  OpenPasses& operator=(const OpenPasses&) = delete;
+
+ private:
+  BetweenPasses& passes_;
+};
+
+/// As well as it can be filtered, unless the user is in a hurry.
+void denoise_last(RenderState& state, const RenderJob& job, Picture& picture) {
+  if (!state.filter) return;
+  state.events.phase_begun(RenderPhase::Denoise);
+  const Stopwatch clock;
+  std::atomic<double> fraction{0.0};
+  bool is_filtered = false;
+  {
+    const AtWork at_work(state, [&] {
+      RenderSnapshot snapshot;
+      snapshot.phase = RenderPhase::Denoise;
+      snapshot.phase_done = fraction;
+      snapshot.seconds = clock.seconds();
+      return snapshot;
+    });
+    const int before = state.interrupts;
+    is_filtered = add_best_layers(state, job.film(), state.statistics.result.samples_per_pixel,
+                                  picture, [&](double done) {
+                                    fraction = done;
+                                    return state.interrupts == before;
+                                  });
+  }
+  state.statistics.times.denoise = clock.seconds();
+  if (is_filtered) {
+    state.statistics.denoiser = state.filter->name();
+    state.statistics.denoised_error = denoised_error(picture);
+  } else {
+    state.events.note("interrupted while denoising: the picture is as it was rendered");
+  }
+}
+
+RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& writers) {
+  const RenderResult& result = state.statistics.result;
+  RenderOutcome outcome;
+  outcome.interrupted = result.stopped_by == StopReason::Interrupted;
+  if (outcome.interrupted) ++state.statistics.interruptions;
+  // Before there is a picture: memory has room for one of the two.
+  state.statistics.errors_by_scale = estimate_errors_by_scale(
+      job.film(), development_of(job.film(), *state.integrator, result.samples_per_pixel),
+      result.samples_per_pixel);
+  Picture picture = state.develop_with(job.film(), state.statistics);
+  denoise_last(state, job, picture);
+  state.events.phase_begun(RenderPhase::Write);
+  writers.show_last(job);
+  const double film_scale = state.plan->record.film_scale;
+  // A scene without lights has been said to be black.
+  const auto complaint = range_complaint(job.film(), picture, film_scale);
+  if (complaint && !state.scene->lights().empty()) state.warn(*complaint);
+  for (const Warning& concern : concerns_about(result)) state.warn(concern);
+  outcome.statistics = state.statistics_with(result);
+  picture.metadata = to_metadata(outcome.statistics);
+  const Display display = state.order.files.display();
+  outcome.display = display.of(picture);
+  outcome.statistics.exposure = {display.exposure.automatic, outcome.display.exposure};
+  outcome.picture = std::make_shared<const Picture>(std::move(picture));
+  // Who asks from here on is answered by these.
+  state.watch.know(outcome.statistics);
+  state.watch.know(outcome.picture);
+  state.watch.passes.close(job.film(), job.state());
+
+  const RenderOrder& order = state.order;
+  const bool nothing_new = order.resumed && job.state().passes == state.passes_before &&
+                           !job.state().partial && order.files.checkpoint == order.resumed_from;
+  writers.write_last(job, !nothing_new, state.interrupts, outcome);
+  state.watch.know(outcome.statistics);
+  return outcome;
+}
+
+}  // namespace
+
+RenderOutcome render_passes(RenderState& state) {
+  state.events.phase_begun(RenderPhase::Render);
+  const auto develop = [&state](const Film& film, const JobState& job) {
+    return picture_of(state, film, job);
+  };
+  EventTeller teller(
+      state.events, state.order.show_every, [&state] { return state.watch.snapshot(); }, develop);
+  std::optional<RenderWriters> writers;
+  std::vector<PassObserver*> observers;
+  if (state.order.is_root()) {
+    std::optional<Checkpoint> base;
+    if (state.has_begun && !state.order.files.checkpoint.empty()) base = checkpoint_base(state);
+    if (state.preview) state.preview->filter_by(state.filter);
+    writers.emplace(state.order, *state.integrator, std::move(base), std::move(state.preview),
+                    develop, state.events);
+    observers = writers->observers();
+    observers.insert(observers.end(), {&teller, &state.watch.passes});
+  }
+  RenderJob job(*state.integrator, *state.film, job_options(state, std::move(observers)));
+  std::optional<OpenPasses> open;
+  if (writers) {
+    open.emplace(state.watch.passes);
+    // From now on they have the picture. What the preparation has seen takes memory.
+    state.watch.know(std::shared_ptr<const Picture>());
+  }
+  {
+    const AtWork at_work(state, [&job] { return job.snapshot(); });
+    state.statistics.result = job.run();
+  }
+  if (writers) return finish(state, job, *writers);
+  RenderOutcome outcome;
+  outcome.interrupted = state.statistics.result.stopped_by == StopReason::Interrupted;
+  outcome.statistics = state.statistics;
+  return outcome;
+}
+
+RenderStatistics statistics_at(const RenderState& state, const JobState& job) {
+  return state.statistics_with(result_of(job, StopReason::NotYet));
+}
+
+Picture picture_of(const RenderState& state, const Film& film, const JobState& job) {
+  Picture picture = state.develop_with(film, statistics_at(state, job));
+  if (state.filter) state.filter->add_layers(picture);
+  return picture;
+}
+
+}  // namespace ajar

@@ -1,0 +1,34 @@
+#pragma once
+#include <vector>
+
+#include "core/parameters.h"
+#include "image/filter.h"
+#include "session/render/memory_estimate.h"
+#include "session/render/render_order.h"
+#include "session/render/render_setup.h"
+
+namespace ajar {
+
+/// What an order makes of a scene: all that is decided before the scene is built.
+struct RenderPlan {
+  RenderSetup setup;
+  Parameters parameters;  ///< of the integrator, all
+  RenderRecord record;    ///< without the scene's hash
+  Filter filter;
+};
+
+/// Raises UsageError for what cannot be, SceneError if that is the scene's fault.
+/// Puts in what the user wants of the film instead of what the file says. Raises UsageError.
+void change_film(const RenderOrder& order, desc::SceneDesc& description);
+RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& description);
+
+/// Of a film with these layers and what hangs on it.
+MemoryEstimate memory_of(const RenderPlan& plan, const RenderOrder& order,
+                         const std::vector<LayerSpec>& layers);
+
+/// Raises an error if that is more than there is: UsageError if the user chose the size, SceneError
+/// at `film` if the scene did.
+void check_memory(const MemoryEstimate& estimate, const RenderOrder& order,
+                  const SourceLocation& film);
+
+}  // namespace ajar

@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/warnings.h"
+#include "image/film.h"
+#include "scene/scene.h"
+#include "session/output/picture_filter.h"
+#include "session/output/stats_json.h"
+#include "session/preview/preview.h"
+#include "session/render/render_events.h"
+#include "session/render/render_order.h"
+#include "session/render/render_plan.h"
+#include "session/render/render_watch.h"
+
+namespace ajar {
+
+/// What a render is made of, filled in step by step (`render_scene.h`, `render_method.h`,
+/// `render_passes.h`). It belongs to the thread that renders; others look at `watch`.
+struct RenderState {
+  RenderOrder order;
+  RenderEvents& events;
+  const InterruptCount& interrupts;
+  RenderWatch& watch;
+
+  Warnings warnings{};
+  RenderStatistics statistics{};  ///< all that is known beside the passes
+  std::optional<RenderPlan> plan{};
+  std::shared_ptr<const Scene> scene{};
+  std::unique_ptr<Integrator> integrator{};
+  std::optional<Film> film{};
+  std::shared_ptr<PictureFilter> filter{};  ///< null: pictures are as they were rendered
+  std::unique_ptr<Preview> preview{};  ///< null: there is none; the writers' once there are passes
+  /// False if the user stopped it while it was prepared: what is shown then is another picture, by
+  /// ordinary Monte Carlo alone, which no checkpoint must go on with.
+  bool has_begun = true;
+  std::uint64_t preparation_rounds = 0;
+  std::optional<Shortage> unprepared{};  ///< why the preparation was cut short, if it was
+  double other_seconds = 0.0;            ///< of building and preparing, all runs together
+  std::uint64_t passes_before = 0;       ///< of earlier runs
+
+  /// Tells it, and keeps it for the statistics.
+  void warn(const Warning& warning);
+  /// What is known of a render that has come to `result`.
+  RenderStatistics statistics_with(const RenderResult& result) const;
+  /// The picture of `film` as it was rendered, with `statistics` as its metadata.
+  Picture develop_with(const Film& film, const RenderStatistics& statistics) const;
+};
+
+/// While it lives, a render can be seen at work.
+class AtWork {
+ public:
+  AtWork(RenderState& state, std::function<RenderSnapshot()> snapshot);
+  ~AtWork();
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
+
+ private:
+  RenderState& state_;
+};
+
+}  // namespace ajar
