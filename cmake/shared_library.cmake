@@ -2,7 +2,7 @@
 # program around it. Python's package is made of both.
 add_library(ajar_shared SHARED src/apps/shared/shared_command_line.cpp $<TARGET_OBJECTS:ajar_api_c>)
 target_link_libraries(ajar_shared PRIVATE ajar_api ajar_cli)
-set_target_properties(ajar_shared PROPERTIES OUTPUT_NAME ajar BUILD_RPATH ${CMAKE_BINARY_DIR}
+set_target_properties(ajar_shared PROPERTIES OUTPUT_NAME ajar
   LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/shared/lib
   LINK_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/shared_library.map)
 # Hidden visibility is not enough: templates of the standard library are visible, and some of their data would be one for all

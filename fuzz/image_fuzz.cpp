@@ -1,6 +1,5 @@
 // Any bytes must be an image of ours, or raise IoError: as a picture, as a texture, and as what a
-// scene's size is estimated from. The first byte says what the file is called.
-#include <array>
+// scene's size is estimated from.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,16 +10,13 @@
 #include "support/private_file.h"
 
 namespace {
-constexpr std::array<const char*, 6> kExtensions = {".pfm", ".exr", ".png", ".jpg", ".hdr", ".tif"};
 /// A picture of one colour may rightly have more than a gigabyte of values in a few bytes of file;
 /// whether that is to be had is not what is asked here.
 constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26U;
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const std::string path = ajar::fuzz::private_file(std::span(data, size).subspan(1),
-                                                    kExtensions[data[0] % kExtensions.size()]);
+  const std::string path = ajar::fuzz::private_file(std::span(data, size), ".image");
   if (ajar::image_size({path}).texels > kMostTexels) return 0;
   try {
     const ajar::Image image = ajar::read_image(path);

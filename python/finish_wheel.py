@@ -53,7 +53,7 @@ def add_licences(folder):
         if found is None:
             sys.exit(f"there is no licence of {library.name}")
         shutil.copy(found[1], target / f"{found[0]}.txt")
-    for package in ("libboost1.74-dev", "nlohmann-json3-dev", "libcli11-dev", "libcereal-dev"):
+    for package in ("libboost1.74-dev", "nlohmann-json3-dev", "libcli11-dev", "libcereal-dev", "libstb-dev"):
         copyright = pathlib.Path("/usr/share/doc") / package / "copyright"
         if copyright.exists():
             shutil.copy(copyright, target / f"{package}.txt")

@@ -1,13 +1,56 @@
 #pragma once
+#include <half.h>
+
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <vector>
 
-#include "imageio/image_header.h"
+#include "core/vector.h"
 
-/// What reads the formats of image files: `image_formats/`, and OpenImageIO (`image_openimageio/`)
-/// for those that it leaves out. All but `ImageInput` open images through that.
+/// Readers of the formats of image files, in `formats/`. All but `ImageInput` open images through
+/// that.
 namespace ajar {
+
+/// How values of channels are kept. Whole numbers stand for the range from 0 to 1.
+enum class SampleType { UInt8, UInt16, Half, Float };
+
+inline std::size_t size_of(SampleType type) {
+  return type == SampleType::UInt8 ? 1 : type == SampleType::Float ? 4 : 2;
+}
+
+template <typename T>
+constexpr SampleType sample_type_of() {
+  if (std::is_same_v<T, std::uint8_t>) return SampleType::UInt8;
+  if (std::is_same_v<T, std::uint16_t>) return SampleType::UInt16;
+  if (std::is_same_v<T, Imath::half>) return SampleType::Half;
+  static_assert(sizeof(T) <= sizeof(float) && (std::is_unsigned_v<T> || !std::is_integral_v<T>));
+  return SampleType::Float;
+}
+
+/// What an image file says of its pixels.
+struct ImageHeader {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<std::string> names;  ///< of the channels, "R", "albedo.R", …
+  int alpha_channel = -1;          ///< -1: there is none
+  SampleType type = SampleType::Float;
+  bool is_integer = false;
+  /// Whether its red, green and blue are said to be others than those of Rec. 709, as which all
+  /// colours are taken.
+  bool has_other_primaries = false;
+  Vec2i origin{0, 0};      ///< of the first pixel in the whole picture
+  Vec2i resolution{0, 0};  ///< of the whole picture
+  std::map<std::string, std::string> texts;
+
+  std::uint64_t pixels() const {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  }
+};
 
 /// An open image file.
 class ImageDecoder {
@@ -27,7 +70,7 @@ class ImageDecoder {
   /// What is taken at most while rows are turned into what is asked for.
   virtual std::uint64_t working_bytes() const = 0;
   /// Rows that the file keeps together.
-  virtual int block_height() const = 0;
+  virtual int block_height() const { return 64; }
 
   /// Rows from `first` on, the channels interleaved; `type` is the file's or Float. The strips of
   /// an image are asked for in their order. Raises IoError with the reason.
@@ -35,12 +78,16 @@ class ImageDecoder {
                          void* values) = 0;
 
  protected:
+  /// Of a picture by itself, with the usual channels: Y, or R, G and B; and A if their number is
+  /// even.
+  void describe_pixels(int width, int height, int channels, SampleType type);
+
   ImageHeader header_;
 };
 
-/// Opens the first image of a file, of which the size is sane. `has_unassociated_alpha`: colours
-/// are not to be multiplied with alpha. Raises IoError with the reason, and what the libraries
-/// raise.
+/// Opens the first image of a file; what a file begins with says of which format it is.
+/// `has_unassociated_alpha`: colours are not to be multiplied with alpha. Raises IoError with the
+/// reason, and what the libraries raise.
 std::unique_ptr<ImageDecoder> open_image(const std::string& path, bool has_unassociated_alpha);
 
 }  // namespace ajar

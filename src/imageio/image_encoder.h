@@ -7,7 +7,7 @@
 #include "core/vector.h"
 
 /// What writes the formats of image files, in memory, so that every failure of the disk is ours to
-/// see: most format libraries ignore errors of the last flush. In `image_formats/`.
+/// see: most format libraries ignore errors of the last flush. In `formats/`.
 namespace ajar {
 
 /// An image to be encoded, but for its pixels.
@@ -27,6 +27,8 @@ using RowSource = std::function<void(int y, T* row)>;
 // Raise IoError with the reason.
 /// 32-bit floats of any channels, ZIP.
 std::vector<unsigned char> encode_exr(const ImageLayout& layout, const RowSource<float>& row);
+/// Channels R, G, B as they are.
+std::vector<unsigned char> encode_pfm(const ImageLayout& layout, const RowSource<float>& row);
 /// Channels R, G, B from 0 to 1e38.
 std::vector<unsigned char> encode_hdr(const ImageLayout& layout, const RowSource<float>& row);
 /// Channels R, G, B as they are shown, and A if there are four.

@@ -13,7 +13,6 @@
 #include "imageio/color_channels.h"
 #include "imageio/image_encoder.h"
 #include "imageio/image_input.h"
-#include "imageio/pfm.h"
 #include "os/atomic_file.h"
 #include "os/file_extension.h"
 
@@ -60,6 +59,11 @@ ImageLayout layout_of(const Picture& picture, std::span<const Picture::Layer> la
   return layout;
 }
 
+std::span<const float> row_of_first_layer(const Picture& picture, int y) {
+  const std::size_t row = static_cast<std::size_t>(picture.crop.max.x - picture.crop.min.x + 1) * 3;
+  return std::span(picture.layers[0].pixels).subspan(static_cast<std::size_t>(y) * row, row);
+}
+
 std::vector<unsigned char> exr_bytes(const Picture& picture) {
   const ImageLayout layout = layout_of(picture, picture.layers);
   const auto width = static_cast<std::size_t>(layout.width);
@@ -77,13 +81,18 @@ std::vector<unsigned char> exr_bytes(const Picture& picture) {
 }
 
 std::vector<unsigned char> hdr_bytes(const Picture& picture) {
-  const ImageLayout layout = layout_of(picture, std::span(picture.layers).first(1));
-  const std::size_t row = static_cast<std::size_t>(layout.width) * 3;
-  return encode_hdr(layout, [&](int y, float* out) {
-    const float* in = picture.layers[0].pixels.data() + static_cast<std::size_t>(y) * row;
+  return encode_hdr(layout_of(picture, std::span(picture.layers).first(1)), [&](int y, float* out) {
     // Written so that NaN becomes zero.
-    std::transform(in, in + row, out,
+    const auto rgb = row_of_first_layer(picture, y);
+    std::transform(rgb.begin(), rgb.end(), out,
                    [](float v) { return v > 0.F ? std::min(v, kLargestHdr) : 0.F; });
+  });
+}
+
+std::vector<unsigned char> pfm_bytes(const Picture& picture) {
+  return encode_pfm(layout_of(picture, std::span(picture.layers).first(1)), [&](int y, float* out) {
+    const auto rgb = row_of_first_layer(picture, y);
+    std::copy(rgb.begin(), rgb.end(), out);
   });
 }
 
@@ -113,6 +122,7 @@ std::vector<unsigned char> encoded(const std::string& path, const Picture& pictu
   const std::string extension = file_extension(path);
   try {
     if (extension == ".exr") return exr_bytes(picture);
+    if (extension == ".pfm") return pfm_bytes(picture);
     return is_display_format(extension) ? display_bytes(picture, extension) : hdr_bytes(picture);
   } catch (const IoError& error) {
     throw IoError("cannot write \"" + path + "\": " + error.what());
@@ -163,7 +173,6 @@ std::vector<float> Image::rgb(const std::string& layer) const {
 }
 
 Image read_image(const std::string& path) {
-  if (file_extension(path) == ".pfm") return read_pfm(path);
   try {
     ImageInput input(path);
     const ImageHeader& header = input.header();
@@ -205,11 +214,6 @@ void write_image(const std::string& path, const Picture& picture) {
   const std::string extension = file_extension(path);
   if (extension != ".exr" && picture.layers.front().channels != 3) {
     throw std::invalid_argument("write_image: only EXR holds layers of one channel");
-  }
-  if (extension == ".pfm") {
-    const Vec2i size = picture.crop.max - picture.crop.min + Vec2i(1, 1);
-    write_file_atomically(path, encode_pfm(size.x, size.y, picture.layers.front().pixels));
-    return;
   }
   const std::vector<unsigned char> bytes = encoded(path, picture);
   write_file_atomically(path, std::as_bytes(std::span(bytes)));

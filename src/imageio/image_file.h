@@ -29,7 +29,7 @@ struct Image {
   std::vector<float> rgb(const std::string& layer = "") const;
 };
 
-/// Reads any image that `ImageInput` can open, and PFM. Raises IoError.
+/// Reads any image that `ImageInput` can open. Raises IoError.
 Image read_image(const std::string& path);
 
 /// Raises UsageError, listing the formats we write, if the extension is not one of them. To be

@@ -1,6 +1,8 @@
 #include "imageio/image_file.h"
 
-#include <OpenImageIO/imageio.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfStringAttribute.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -15,7 +17,6 @@
 #include <limits>
 
 #include "core/error.h"
-#include "imageio/pfm.h"
 
 namespace ajar {
 namespace {
@@ -85,11 +86,9 @@ TEST_F(ImageFile, ExrKeepsEveryLayerPlaceAndBit) {
   for (std::size_t i = 0; i < depth.size(); ++i) ASSERT_EQ(grey[i * 3 + 1], depth[i]);
   EXPECT_TRUE(read.rgb("normal").empty());
   EXPECT_EQ(files(), 1U) << "no temporary file is left";
-
-  const auto input = OIIO::ImageInput::open(path("a.exr"));
-  ASSERT_TRUE(input);
-  EXPECT_EQ(input->spec().get_string_attribute("ajar:integrator"), "pt");
-  EXPECT_EQ(input->spec().get_string_attribute("ajar:spp"), "64");
+  EXPECT_EQ(read.metadata.at("integrator"), "pt");
+  const Imf::InputFile file(path("a.exr").c_str());
+  EXPECT_EQ(file.header().typedAttribute<Imf::StringAttribute>("ajar:spp").value(), "64");
 }
 
 TEST_F(ImageFile, PfmKeepsEveryBit) {
@@ -247,7 +246,7 @@ TEST_F(ImageFile, TruncatedFilesAreErrorsNotCrashes) {
 
 TEST_F(ImageFile, AbsurdPfmHeadersAreRefused) {
   for (const char* header : {"PF\n-1 4\n-1\n", "PF\n1e9 1e9\n-1\n", "PF\nx y\n-1\n",
-                             "PF\nnan 1\n-1\n", "PF\n1048576 1048576\n-1\n", "P6\n1 1\n255\n"}) {
+                             "PF\nnan 1\n-1\n", "PF\n1048576 1048576\n-1\n", "PG\n1 1\n-1\n"}) {
     std::ofstream(path("bad.pfm"), std::ios::binary | std::ios::trunc)
         << header << "some bytes that follow";
     EXPECT_THROW(read_image(path("bad.pfm")), IoError) << header;

@@ -1,7 +1,7 @@
 #include "imageio/image_input.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "imageio/testing/image_writers.h"
 
 namespace ajar {
 namespace {
@@ -67,14 +68,14 @@ std::string png(std::uint32_t depth, std::uint32_t type, std::uint32_t interlace
       .result();
 }
 
-std::string bmp(std::uint32_t depth, std::uint32_t compression) {
+std::string bmp() {
   return Bytes()
       .text("BM")
       .little({200}, 4)
       .zeros(4)
       .little({54, 40, kSide, kSide}, 4)
-      .little({1, depth}, 2)
-      .little({compression, 0, 0, 0, 2, 0}, 4)
+      .little({1, 24}, 2)
+      .little({0, 0, 0, 0, 2, 0}, 4)
       .zeros(200)
       .result();
 }
@@ -109,16 +110,14 @@ std::string exr(std::uint32_t width, std::uint32_t height) {
   return bytes.zeros(40).result();
 }
 
-/// One pixel on a large canvas.
-std::string gif(std::string_view version, std::uint32_t side = kSide) {
+/// A container with what begins a picture, and some bytes behind it.
+std::string webp(Bytes content, const std::string& rest = std::string(20, '\0')) {
+  const std::string inside = content.text(rest).result();
   return Bytes()
-      .text(version)
-      .little({side, side}, 2)
-      .little({0x80, 0, 0}, 1)
-      .zeros(6)
-      .text(",")
-      .little({0, 0, 1, 1}, 2)
-      .text(std::string_view("\0\2\2\x44\1\0;", 7))
+      .text("RIFF")
+      .little({static_cast<std::uint32_t>(inside.size() + 4)}, 4)
+      .text("WEBP")
+      .text(inside)
       .result();
 }
 
@@ -138,11 +137,7 @@ std::vector<std::pair<std::string, std::string>> liars() {
       {"gray.png", png(8, 0, 0)},
       {"bits.png", png(1, 0, 0)},
       {"interlaced.png", png(16, 2, 1)},
-      {"canvas.gif", gif("GIF89a")},
-      {"odd-version.gif", gif("GIF???")},
-      {"smaller-canvas.gif", gif("GIF89a", 20000) + std::string(450, '\0')},
-      {"plain.bmp", bmp(24, 0)},
-      {"runs.bmp", bmp(8, 1)},
+      {"plain.bmp", bmp()},
       {"plain.tga", tga(2)},
       {"runs.tga", tga(10)},
       {"a.hdr", Bytes()
@@ -150,52 +145,33 @@ std::vector<std::pair<std::string, std::string>> liars() {
                     .zeros(30)
                     .result()},
       {"a.pgm", Bytes().text("P5\n65535 65535\n255\n").zeros(30).result()},
-      {"a.psd", Bytes()
-                    .text("8BPS")
-                    .big({1}, 2)
-                    .zeros(6)
-                    .big({3}, 2)
-                    .big({30000, 30000}, 4)
-                    .big({8, 3}, 2)
-                    .zeros(12)
-                    .big({0}, 2)
-                    .zeros(30)
-                    .result()},
-      {"a.sgi",
-       Bytes().big({474}, 2).big({0, 1}, 1).big({3, kSide, kSide, 3}, 2).zeros(600).result()},
       {"plain.tif", tiff(1)},
       {"fax.tif", tiff(4)},
       {"lzw.tif", tiff(5)},
       {"zip.tif", tiff(8)},
       {"runs.tif", tiff(32773)},
       {"long-rows.exr", exr(1U << 24U, 4)},
-      {"a.webp", Bytes()
-                     .text("RIFF")
-                     .little({40}, 4)
-                     .text("WEBPVP8L")
-                     .little({20}, 4)
-                     .text("\x2f")
-                     .little({0x0fffffff}, 4)
-                     .zeros(20)
-                     .result()},
-      {"lossless-stream.webp", Bytes().text("\x2f").little({0x0fffffff}, 4).zeros(20).result()},
-      {"a.dds", Bytes()
-                    .text("DDS ")
-                    .little({124, 0x1007, 11000, 11000, 0, 0, 1}, 4)
-                    .zeros(44)
-                    .little({32, 4}, 4)
-                    .text("DXT1")
-                    .zeros(20)
-                    .little({0x1000}, 4)
-                    .zeros(30)
-                    .result()},
+      {"a.webp", webp(Bytes().text("VP8L").little({20}, 4).text("\x2f").little({0x0fffffff}, 4))},
+      {"canvas.webp", webp(Bytes()
+                               .text("VP8X")
+                               .little({10, 0}, 4)
+                               .little({0x3ffe, 0x3ffe}, 3)
+                               .text("VP8L")
+                               .little({20}, 4)
+                               .text("\x2f")
+                               .little({0x0fffbffe}, 4))},
       // 13874 x 10281 pixels, which the decoder would make of it.
       {"colour-alone.webp",
-       Bytes().text("\x2f").little({0x1a0a3631}, 4).zeros(2).text(std::string(131, 'K')).result()},
-      {"lossy-stream.webp",
-       Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(20).result()},
-      {"longer-lossy-stream.webp",
-       Bytes().zeros(3).text("\x9d\x01\x2a").little({0x3fff, 0x3fff}, 2).zeros(5000).result()}};
+       webp(Bytes().text("VP8L").little({138}, 4).text("\x2f").little({0x1a0a3631}, 4),
+            std::string(2, '\0') + std::string(131, 'K'))},
+      {"lossy.webp", webp(Bytes()
+                              .text("VP8 ")
+                              .little({5010}, 4)
+                              .little({0x10}, 1)
+                              .zeros(2)
+                              .text("\x9d\x01\x2a")
+                              .little({0x3fff, 0x3fff}, 2),
+                          std::string(5000, '\0'))}};
 }
 
 /// A folder of its own that is gone after the test.
@@ -230,61 +206,33 @@ TEST_F(ImageInputTest, FilesCannotClaimMorePixelsThanTheyHold) {
   }
 }
 
-TEST_F(ImageInputTest, FormatsWhoseDecodersBreakAreRefused) {
-  for (const auto& [name, start] :
-       {std::pair("a.dpx", Bytes().text("SDPX")), std::pair("b.dpx", Bytes().text("XPDS")),
-        std::pair("a.iff", Bytes().text("FOR4")), std::pair("a.ico", Bytes().little({0, 1}, 2)),
-        std::pair("a.pic", Bytes().big({0x5380f634}, 4)),
-        std::pair("a.png", Bytes().big({0x5380f634}, 4))}) {
-    Bytes content = start;
-    const std::string error = error_of(write(name, content.zeros(3000).result()));
-    EXPECT_NE(error.find("which is not read: damaged ones would end the program"),
-              std::string::npos)
-        << name << ": " << error;
-  }
-}
-
-TEST_F(ImageInputTest, DamagedSgiIsNoticedBeforeItIsDecoded) {
-  const auto sgi = [](std::uint32_t storage, std::uint32_t bytes, std::uint32_t dimensions) {
-    return Bytes().big({474}, 2).big({storage, bytes}, 1).big({dimensions, 4, 4, 1}, 2).zeros(500);
-  };
-  const auto expect_error = [&](Bytes bytes, const char* part) {
-    const std::string error = error_of(write("a.sgi", bytes.result()));
-    EXPECT_NE(error.find(part), std::string::npos) << error;
-  };
-  expect_error(sgi(16, 0, 2).zeros(600), "damaged");
-  expect_error(sgi(0, 0, 2).zeros(600), "damaged");
-  expect_error(sgi(0, 3, 2).zeros(600), "damaged");
-  expect_error(sgi(0, 1, 4).zeros(600), "damaged");
-  expect_error(sgi(0, 2, 2).zeros(31), "it claims 4x4 pixels");
-  expect_error(sgi(1, 1, 2).zeros(31), "cut short");
-  expect_error(sgi(1, 1, 2).big({2000, 0, 0, 0, 1, 1, 1, 1}, 4), "cut short");
-  EXPECT_EQ(error_of(write("a.sgi", sgi(0, 1, 2).zeros(16).result())), "no error");
-}
-
-TEST_F(ImageInputTest, ChunksOfPngCannotClaimMoreThanTheFile) {
+TEST_F(ImageInputTest, ChunksOfPngThatClaimMoreThanTheFileTakeNoMemory) {
   std::string header = png(8, 0, 0);
   // A picture of four pixels in front of a text of two gigabytes.
   header.replace(16, 8, std::string("\0\0\0\2\0\0\0\2", 8));
-  const std::string content =
-      Bytes().text(header.substr(0, 33)).big({0x7fff0000}, 4).text("tEXt").zeros(40).result();
-  const std::string error = error_of(write("a.png", content));
-  EXPECT_EQ(error, "its chunk \"tEXt\" claims 2147418112 bytes, but the file has " +
-                       std::to_string(content.size()));
-}
-
-TEST_F(ImageInputTest, LargeCanvasesOfSmallPicturesAreBelieved) {
-  const std::string small = gif("GIF89a", 3000);
-  ASSERT_LT(small.size(), 60U) << "of which LZW could not make so many pixels";
-  EXPECT_EQ(ImageInput(write("canvas.gif", small)).header().width, 3000);
+  const std::string header_chunk = Bytes().text(header.substr(8, 21)).result();
+  const std::string content = Bytes()
+                                  .text("\x89PNG\r\n\x1a\n")
+                                  .png_chunk(header_chunk.substr(4, 17))
+                                  .big({0x7fff0000}, 4)
+                                  .text("tEXt")
+                                  .zeros(40)
+                                  .result();
+  const std::string file = write("a.png", content);
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  rlimit limit = before;
+  limit.rlim_cur = std::uint64_t{1} << 31U;
+  setrlimit(RLIMIT_AS, &limit);
+  const std::string error = error_of(file);
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_EQ(error, "the image is damaged (Read Error)");
 }
 
 TEST_F(ImageInputTest, IsAskedForFloatsOrWhatTheFileHas) {
   const std::string file = path("half.exr");
-  const auto output = OIIO::ImageOutput::create(file);
   const std::vector<float> values = {0.25F, 0.5F, 0.75F};
-  ASSERT_TRUE(output && output->open(file, OIIO::ImageSpec(1, 1, 3, OIIO::TypeDesc::HALF)) &&
-              output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+  testing::write_exr(file, testing::TestImage<Imath::half>{1, 1, 3, {0.25F, 0.5F, 0.75F}});
   EXPECT_EQ(ImageInput(file).read<float>(3), values);
   EXPECT_EQ(ImageInput(file).read<Imath::half>(3).at(1), Imath::half(0.5F));
   EXPECT_THROW(ImageInput(file).read<std::uint8_t>(3), std::invalid_argument);
@@ -293,49 +241,54 @@ TEST_F(ImageInputTest, IsAskedForFloatsOrWhatTheFileHas) {
 TEST_F(ImageInputTest, FlatPicturesAreBelieved) {
   // As small as files of so many pixels get.
   constexpr int kFlat = 1000;
-  const std::vector<std::uint8_t> flat(std::size_t{kFlat} * kFlat, 7);
-  for (const auto& [name, packing] :
-       {std::pair("a.png", "zip"), std::pair("a.tif", "zip"), std::pair("b.tif", "lzw"),
-        std::pair("c.tif", "packbits"), std::pair("d.tif", "none"), std::pair("a.jpg", "jpeg:90"),
-        std::pair("a.webp", "lossless"), std::pair("a.tga", "rle"), std::pair("a.bmp", "rle"),
-        std::pair("a.gif", ""), std::pair("a.sgi", "rle"), std::pair("a.exr", "zip"),
-        std::pair("b.exr", "rle"), std::pair("c.exr", "piz"), std::pair("d.exr", "pxr24"),
-        std::pair("e.exr", "b44a"), std::pair("f.exr", "dwaa"), std::pair("g.exr", "dwab")}) {
-    const auto output = OIIO::ImageOutput::create(path(name));
-    ASSERT_TRUE(output) << name;
-    const bool needs_colour = std::string(name) == "a.webp" || std::string(name) == "a.gif";
-    OIIO::ImageSpec spec(kFlat, kFlat, needs_colour ? 3 : 1, OIIO::TypeDesc::UINT8);
-    spec.attribute("compression", packing);
-    spec.attribute("png:compressionLevel", 9);
-    ASSERT_TRUE(output->open(path(name), spec)) << name << output->geterror();
-    // A zero stride in x repeats the value in all channels.
-    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, flat.data(), 0, 0)) << name;
-    ASSERT_TRUE(output->close());
-    ImageInput input(path(name));
-    const std::vector<float> read = input.read<float>(1);
-    ASSERT_EQ(read.size(), flat.size()) << name;
+  const auto flat = [](int channels, auto value) {
+    return testing::TestImage<decltype(value)>{
+        kFlat, kFlat, channels,
+        std::vector<decltype(value)>(static_cast<std::size_t>(kFlat * kFlat * channels), value)};
+  };
+  const testing::TestImage<std::uint8_t> gray = flat(1, std::uint8_t{7});
+  const testing::TestImage<std::uint8_t> rgb = flat(3, std::uint8_t{7});
+  const testing::TestImage<Imath::half> half = flat(1, Imath::half(7.F / 255.F));
+  std::vector<std::string> names;
+  const auto next = [&](const char* name) { return path(names.emplace_back(name)); };
+  testing::write_png(next("a.png"), gray);
+  testing::write_tiff(next("zip.tif"), gray, {.compression = COMPRESSION_ADOBE_DEFLATE});
+  testing::write_tiff(next("lzw.tif"), gray, {.compression = COMPRESSION_LZW});
+  testing::write_tiff(next("runs.tif"), gray, {.compression = COMPRESSION_PACKBITS});
+  testing::write_tiff(next("plain.tif"), gray, {.compression = COMPRESSION_NONE});
+  testing::write_webp(next("a.webp"), rgb);
+  testing::write_bytes(next("a.tga"), testing::tga_bytes(rgb, true, true));
+  testing::write_bytes(next("a.bmp"), testing::bmp_bytes(rgb));
+  ImageLayout layout;
+  layout.width = layout.height = kFlat;
+  testing::write_bytes(next("a.jpg"), encode_jpeg(layout, [](int, unsigned char* row) {
+                         std::fill_n(row, 3 * kFlat, std::uint8_t{7});
+                       }));
+  for (const auto& [name, compression] :
+       {std::pair("a.exr", Imf::ZIP_COMPRESSION), std::pair("b.exr", Imf::RLE_COMPRESSION),
+        std::pair("c.exr", Imf::PIZ_COMPRESSION), std::pair("d.exr", Imf::PXR24_COMPRESSION),
+        std::pair("e.exr", Imf::B44A_COMPRESSION), std::pair("f.exr", Imf::DWAA_COMPRESSION),
+        std::pair("g.exr", Imf::DWAB_COMPRESSION)}) {
+    testing::write_exr(next(name), half, compression);
+  }
+  for (const std::string& name : names) {
+    const std::vector<float> read = ImageInput(path(name)).read<float>(1);
+    ASSERT_EQ(read.size(), gray.values.size()) << name;
     EXPECT_NEAR(read.back(), 7.0 / 255.0, 1.0 / 255.0) << name;
   }
 }
 
 TEST_F(ImageInputTest, TilesAndOffsetsAreReadAsWhole) {
-  OIIO::ImageSpec spec(70, 150, 2, OIIO::TypeDesc::FLOAT);
-  std::vector<float> values;
-  values.reserve(70 * 150 * 2);
-  for (int i = 0; i < 70 * 150 * 2; ++i) values.push_back(static_cast<float>(i));
+  testing::TestImage<float> image{70, 150, 2, {}};
+  for (int i = 0; i < 70 * 150 * 2; ++i) image.values.push_back(static_cast<float>(i));
   for (const int tile : {0, 32}) {
-    spec.tile_width = spec.tile_height = tile;
-    spec.x = 5;
-    spec.y = -7;
-    const auto output = OIIO::ImageOutput::create(path("a.exr"));
-    ASSERT_TRUE(output->open(path("a.exr"), spec));
-    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
-    ASSERT_TRUE(output->close());
+    testing::write_exr(path("a.exr"), image, Imf::ZIP_COMPRESSION, tile, {5, -7});
     ImageInput input(path("a.exr"));
-    EXPECT_EQ(input.read<float>(2), values) << tile;
+    EXPECT_EQ(input.header().origin, Vec2i(5, -7)) << tile;
+    EXPECT_EQ(input.read<float>(2), image.values) << tile;
     const std::vector<float> first = ImageInput(path("a.exr")).read<float>(1);
-    ASSERT_EQ(first.size(), values.size() / 2);
-    EXPECT_EQ(first[1234], values[2468]) << tile;
+    ASSERT_EQ(first.size(), image.values.size() / 2);
+    EXPECT_EQ(first[1234], image.values[2468]) << tile;
   }
 }
 

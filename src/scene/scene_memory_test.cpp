@@ -1,6 +1,5 @@
 #include "scene/scene_memory.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/warnings.h"
+#include "imageio/testing/image_writers.h"
 #include "scene/desc/models.h"
 #include "scene/scene.h"
 
@@ -93,10 +93,8 @@ TEST(SceneMemory, EveryImageCountsOnceAndAbsentOnesNothing) {
   const std::string path = (std::filesystem::temp_directory_path() /
                             ("ajar-memory-" + std::to_string(getpid()) + ".png"))
                                .string();
-  const auto output = OIIO::ImageOutput::create(path);
-  output->open(path, OIIO::ImageSpec(20, 10, 4, OIIO::TypeDesc::UINT16));
-  output->write_image(OIIO::TypeDesc::UINT16, std::vector<std::uint16_t>(800).data());
-  output->close();
+  testing::write_png(path,
+                     testing::TestImage<std::uint16_t>{20, 10, 4, std::vector<std::uint16_t>(800)});
   desc::SceneDesc scene = floor_of(1);
   for (const std::string& name : {path, path, path + ".absent"}) {
     scene.textures.emplace_back().node = desc::texture_node("image", {{"file", name}});

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/random.h"
-#include "imageio/pfm.h"
+#include "imageio/image_file.h"
 #include "mcmc/moments.h"
 #include "support/methods.h"
 #include "support/render.h"
@@ -38,10 +38,9 @@ class NoiseMap {
       const float weight = std::pow(50.F, 2.F * to_unit_float(bits) - 1.F);
       rgb.insert(rgb.end(), 3, weight);
     }
-    const std::vector<std::byte> bytes = encode_pfm(width, height, rgb);
-    std::ofstream(path_, std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
+    write_image(
+        path(),
+        {{width, height}, Box2i({0, 0}, {width - 1, height - 1}), {{"", 3, std::move(rgb)}}, {}});
   }
   ~NoiseMap() { std::filesystem::remove(path_); }
   NoiseMap(const NoiseMap&) = delete;

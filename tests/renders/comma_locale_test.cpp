@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "core/number_text.h"
-#include "imageio/pfm.h"
+#include "imageio/image_file.h"
 #include "scene/coordinate_limit.h"
 #include "session/scenes/scene_file.h"
 #include "support/methods.h"
@@ -82,7 +82,7 @@ TEST(CommaLocale, LeavesTechniquesImagesAndMessagesAlone) {
     told.push_back(number_text(decimal_of(0.1F)));
     const TemporaryFile file("a.pfm");
     std::ofstream(file.path(), std::ios::binary) << "Pf\n1 1\n-1.0\n" << std::string(4, '\0');
-    told.push_back(std::to_string(read_pfm(file.path()).width));
+    told.push_back(std::to_string(read_image(file.path()).width));
     try {
       check_reach({}, "it", 1.5e20);
     } catch (const Error& error) {

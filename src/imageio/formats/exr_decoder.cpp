@@ -9,14 +9,15 @@
 #include <ImfTileDescriptionAttribute.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <tuple>
 
 #include "core/error.h"
 #include "imageio/color_channels.h"
+#include "imageio/formats/exr_header.h"
 #include "imageio/formats/image_formats.h"
-#include "imageio/image_packing.h"
 
 namespace ajar::image_formats {
 
@@ -221,6 +222,10 @@ class LuminanceChromaDecoder final : public ImageDecoder {
 }  // namespace
 
 std::unique_ptr<ImageDecoder> open_exr(const std::string& path) {
+  if (const std::string complaint = exr_header_complaint(path, std::filesystem::file_size(path));
+      !complaint.empty()) {
+    throw IoError(complaint);
+  }
   auto file = std::make_unique<Imf::MultiPartInputFile>(path.c_str(), 0);
   const int picture = part_of_picture(*file);
   if (has_luminance_and_chroma(file->header(picture))) {
@@ -228,7 +233,7 @@ std::unique_ptr<ImageDecoder> open_exr(const std::string& path) {
     throw IoError("it has luminance and chroma in a part that is not the first");
   }
   if (full_channels(file->header(picture)).empty()) {
-    throw ForeignImage("an EXR with subsampled channels");
+    throw IoError("all its channels are subsampled, which is not read");
   }
   return std::make_unique<ExrDecoder>(std::move(file), picture);
 }

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/printable_text.h"
 #include "imageio/formats/image_formats.h"
-#include "imageio/image_packing.h"
 
 namespace ajar::image_formats {
 
@@ -25,7 +25,8 @@ class HdrReader {
   explicit HdrReader(const std::string& path) : file_(open_file(path)) {
     for (std::string line = read_line(); !line.empty(); line = read_line()) {
       if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe") {
-        throw ForeignImage("an HDR of the format " + line.substr(7));
+        throw IoError("it is an HDR of the format " + printable_line(line.substr(7)) +
+                      ", which is not read; 32-bit_rle_rgbe is");
       }
     }
     read_size(read_line());
@@ -155,12 +156,7 @@ class HdrDecoder final : public ImageDecoder {
  public:
   explicit HdrDecoder(const std::string& path)
       : path_(path), reader_(std::make_unique<HdrReader>(path)) {
-    ImageHeader& to = header_;
-    to.width = reader_->width();
-    to.height = reader_->height();
-    to.channels = 3;
-    to.names = {"R", "G", "B"};
-    to.resolution = {to.width, to.height};
+    describe_pixels(reader_->width(), reader_->height(), 3, SampleType::Float);
   }
 
   double most_pixels_per_byte() const override { return packing::kRuns; }
@@ -171,7 +167,6 @@ class HdrDecoder final : public ImageDecoder {
         static_cast<std::uint64_t>(reader_->columns()) * (sizeof(Rgbe) + pixel_bytes());
     return row + (reader_->runs_from_top_left() ? 0 : header().pixels() * sizeof(Rgbe));
   }
-  int block_height() const override { return 64; }
 
   void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
                  void* values) override {

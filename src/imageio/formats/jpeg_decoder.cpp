@@ -1,6 +1,5 @@
 #include "imageio/formats/image_formats.h"
 #include "imageio/formats/jpeg_library.h"
-#include "imageio/image_packing.h"
 
 namespace ajar::image_formats {
 
@@ -25,6 +24,10 @@ class JpegReader {
   int width() const { return static_cast<int>(codec_.image_width); }
   int height() const { return static_cast<int>(codec_.image_height); }
   int channels() const { return codec_.out_color_space == JCS_GRAYSCALE ? 1 : 3; }
+  /// Four of what is printed, which have become three.
+  std::size_t stored_channels() const {
+    return static_cast<std::size_t>(is_cmyk() ? 4 : channels());
+  }
   bool has_several_scans() { return jpeg_has_multiple_scans(&codec_) != 0; }
 
   void read_row(unsigned char* to) {
@@ -33,6 +36,7 @@ class JpegReader {
       is_started_ = true;
       jpeg_read_scanlines(&codec_, &to, 1);
     });
+    if (is_cmyk()) make_rgb(to);
   }
 
  private:
@@ -42,9 +46,6 @@ class JpegReader {
       jpeg_stdio_src(&codec_, file_.get());
       jpeg_read_header(&codec_, TRUE);
     });
-    if (codec_.jpeg_color_space == JCS_CMYK || codec_.jpeg_color_space == JCS_YCCK) {
-      throw ForeignImage("a JPEG in CMYK");
-    }
     // A few bytes each, and every one a walk over all pixels.
     progress_.progress_monitor = [](j_common_ptr codec) {
       constexpr int kMostScans = 500;
@@ -53,6 +54,19 @@ class JpegReader {
       }
     };
     codec_.progress = &progress_;
+  }
+  bool is_cmyk() const { return codec_.out_color_space == JCS_CMYK; }
+  /// What inks leave of white, in the place of the inks. Adobe's programs write them inverted.
+  void make_rgb(unsigned char* row) const {
+    constexpr int kWhole = 255;
+    const int flip = codec_.saw_Adobe_marker != 0 ? 0 : kWhole;
+    unsigned char* to = row;
+    for (int x = 0; x < width(); ++x, row += 4) {
+      const int rest = row[3] ^ flip;
+      for (int c = 0; c < 3; ++c) {
+        *to++ = static_cast<unsigned char>(((row[c] ^ flip) * rest + kWhole / 2) / kWhole);
+      }
+    }
   }
 
   File file_;
@@ -66,16 +80,8 @@ class JpegDecoder final : public ImageDecoder {
  public:
   explicit JpegDecoder(const std::string& path)
       : path_(path), reader_(std::make_unique<JpegReader>(path)) {
-    ImageHeader& to = header_;
-    to.width = reader_->width();
-    to.height = reader_->height();
-    to.channels = reader_->channels();
-    to.resolution = {to.width, to.height};
-    to.type = SampleType::UInt8;
-    to.is_integer = true;
-    to.names =
-        to.channels == 1 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"};
-    row_.resize(static_cast<std::size_t>(to.width) * to.names.size());
+    describe_pixels(reader_->width(), reader_->height(), reader_->channels(), SampleType::UInt8);
+    row_.resize(static_cast<std::size_t>(header().width) * reader_->stored_channels());
   }
 
   double most_pixels_per_byte() const override { return packing::kUnknown; }
@@ -88,7 +94,6 @@ class JpegDecoder final : public ImageDecoder {
     return reader_->has_several_scans() ? header().pixels() * pixel_bytes() * kCoefficient
                                         : row_.size() * kRows;
   }
-  int block_height() const override { return 64; }
 
   void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
                  void* values) override {

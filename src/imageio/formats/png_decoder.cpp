@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "imageio/formats/image_formats.h"
 #include "imageio/formats/library_calls.h"
-#include "imageio/image_packing.h"
 
 namespace ajar::image_formats {
 
@@ -49,6 +48,9 @@ class PngReader {
     if (info_ == nullptr) throw IoError("the image does not fit into memory");
     calls_.run([&] {
       png_init_io(png_, file_.get());
+      // All but the pixels is left out: the library would make room for what a chunk claims to
+      // hold.
+      png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
       png_read_info(png_, info_);
       png_set_expand(png_);
       png_set_swap(png_);  // x86-64 is little-endian
@@ -68,35 +70,13 @@ class PngReader {
   png_infop info_ = nullptr;
 };
 
-template <typename T>
-void multiply_with_alpha(T* row, std::size_t width, std::size_t channels) {
-  constexpr float kWhole = static_cast<T>(-1);
-  for (T* pixel = row; pixel < row + width * channels; pixel += channels) {
-    const float alpha = static_cast<float>(pixel[channels - 1]) / kWhole;
-    for (std::size_t c = 0; c + 1 < channels; ++c) {
-      pixel[c] = static_cast<T>(static_cast<float>(pixel[c]) * alpha + 0.5F);
-    }
-  }
-}
-
 class PngDecoder final : public ImageDecoder {
  public:
   PngDecoder(const std::string& path, bool has_unassociated_alpha)
       : path_(path), reader_(std::make_unique<PngReader>(path)) {
-    ImageHeader& to = header_;
-    to.width = reader_->width();
-    to.height = reader_->height();
-    to.channels = reader_->channels();
-    to.resolution = {to.width, to.height};
-    to.type = reader_->has_16_bits() ? SampleType::UInt16 : SampleType::UInt8;
-    to.is_integer = true;
-    to.names =
-        to.channels < 3 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"};
-    if (to.channels % 2 == 0) {
-      to.alpha_channel = to.channels - 1;
-      to.names.emplace_back("A");
-    }
-    multiplies_ = to.alpha_channel >= 0 && !has_unassociated_alpha;
+    describe_pixels(reader_->width(), reader_->height(), reader_->channels(),
+                    reader_->has_16_bits() ? SampleType::UInt16 : SampleType::UInt8);
+    multiplies_ = header().alpha_channel >= 0 && !has_unassociated_alpha;
   }
 
   double most_pixels_per_byte() const override { return packing::kDeflate; }
@@ -105,7 +85,6 @@ class PngDecoder final : public ImageDecoder {
   }
   bool is_read_in_parts() const override { return !reader_->is_interlaced(); }
   std::uint64_t working_bytes() const override { return 2 * reader_->row_bytes(); }
-  int block_height() const override { return 64; }
 
   void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
                  void* values) override {
@@ -131,7 +110,8 @@ class PngDecoder final : public ImageDecoder {
   template <typename T>
   void pick(T* row, std::size_t width, const ChannelPicker& picker, void*& values) {
     if (multiplies_) {
-      multiply_with_alpha(row, width, static_cast<std::size_t>(header().channels));
+      const std::size_t channels = header().names.size();
+      multiply_with_alpha(row, width, channels, channels - 1);
     }
     picker.pick(row, width, values);
   }

@@ -53,7 +53,7 @@ TEST(Map, ReadsFloatImagesAsTheyAre) {
 }
 
 TEST(Map, DecodesIntegersFromSrgb) {
-  const ImageFile file(1, 1, {0.5F, 0.F, 1.F}, ".png", OIIO::TypeDesc::UINT8);
+  const ImageFile file(1, 1, {0.5F, 0.F, 1.F}, ".png");
   Warnings warnings;
   const Spectrum value = load_map(file.path(), MapEdge::Clamp, {}, warnings).lookup({0.5F, 0.5F});
   EXPECT_NEAR(value[0], 0.2140F, 0.003F);
@@ -62,7 +62,7 @@ TEST(Map, DecodesIntegersFromSrgb) {
 }
 
 TEST(Map, DecodesIntegersByAnExponent) {
-  const ImageFile file(1, 1, {0.5F, 0.F, 1.F}, ".png", OIIO::TypeDesc::UINT8);
+  const ImageFile file(1, 1, {0.5F, 0.F, 1.F}, ".png");
   const auto value = [&](float exponent) {
     desc::Node node = environment_node(Vec3(1.F), file.path());
     node.set("decoding_exponent", exponent);
@@ -115,7 +115,7 @@ TEST(EnvironmentMap, MayHaveItsPolesInTheFirstAndTheLastRow) {
 }
 
 TEST(Map, SpreadsOneChannelOverAllLanes) {
-  const ImageFile file(2, 1, {0.25F, 0.5F}, ".exr", OIIO::TypeDesc::FLOAT, 1);
+  const ImageFile file(2, 1, {0.25F, 0.5F}, ".exr", 1);
   Warnings warnings;
   EXPECT_EQ(load_map(file.path(), MapEdge::Clamp, {}, warnings).lookup({0.25F, 0.5F}),
             Spectrum(0.25F));

@@ -1,11 +1,11 @@
 #pragma once
-#include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "imageio/image_file.h"
 
 namespace ajar::testing {
 
@@ -13,19 +13,15 @@ namespace ajar::testing {
 class ImageFile {
  public:
   ImageFile(int width, int height, const std::vector<float>& rgb,
-            const std::string& extension = ".exr",
-            const OIIO::TypeDesc& format = OIIO::TypeDesc::FLOAT, int channels = 3) {
+            const std::string& extension = ".exr", int channels = 3) {
     static int count = 0;
     path_ =
         (std::filesystem::temp_directory_path() / ("ajar_light_test_" + std::to_string(getpid()) +
                                                    "_" + std::to_string(count++) + extension))
             .string();
-    const auto output = OIIO::ImageOutput::create(path_);
-    const OIIO::ImageSpec spec(width, height, channels, format);
-    if (!output || !output->open(path_, spec) ||
-        !output->write_image(OIIO::TypeDesc::FLOAT, rgb.data()) || !output->close()) {
-      throw std::runtime_error("cannot write " + path_);
-    }
+    write_image(
+        path_,
+        {{width, height}, Box2i({0, 0}, {width - 1, height - 1}), {{"", channels, rgb}}, {}});
   }
   ~ImageFile() { std::filesystem::remove(path_); }
   ImageFile(const ImageFile&) = delete;

@@ -1,4 +1,5 @@
-#include <OpenImageIO/imageio.h>
+#include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <fstream>
 
 #include "imageio/image_encoder.h"
+#include "imageio/testing/image_writers.h"
 #include "scene/desc/models.h"
 #include "scene/light/map.h"
 #include "scene/material/relief.h"
@@ -32,12 +34,12 @@ class ImageTextureTest : public ::testing::Test {
   std::string write(const std::string& name, int width, int height, int channels,
                     std::vector<T> texels) {
     std::string path = (folder_ / name).string();
-    const auto output = OIIO::ImageOutput::create(path);
-    OIIO::ImageSpec spec(width, height, channels, OIIO::BaseTypeFromC<T>::value);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    EXPECT_TRUE(output->open(path, spec));
-    EXPECT_TRUE(output->write_image(OIIO::BaseTypeFromC<T>::value, texels.data()));
-    output->close();
+    const testing::TestImage<T> image{width, height, channels, std::move(texels)};
+    if constexpr (std::is_integral_v<T>) {
+      testing::write_png(path, image);
+    } else {
+      testing::write_exr(path, image);
+    }
     return path;
   }
   std::unique_ptr<const Texture> make(const desc::Node& node) {
@@ -285,9 +287,23 @@ TEST_F(ImageTextureTest, AlphaComesBeforeColours) {
 }
 
 TEST_F(ImageTextureTest, EmbeddedFilesAreReadLikeOthers) {
-  for (const char* extension : {"png", "jpg", "tif", "exr", "bmp", "webp"}) {
-    const std::string path = write<std::uint8_t>(std::string("a.") + extension, 8, 8, 3,
-                                                 std::vector<std::uint8_t>(192, 128));
+  const testing::TestImage<std::uint8_t> gray{8, 8, 3, std::vector<std::uint8_t>(192, 128)};
+  const auto path_of = [&](const char* extension) {
+    return (folder_ / (std::string("a.") + extension)).string();
+  };
+  testing::write_png(path_of("png"), gray);
+  testing::write_tiff(path_of("tif"), gray);
+  testing::write_webp(path_of("webp"), gray);
+  testing::write_bytes(path_of("bmp"), testing::bmp_bytes(gray));
+  testing::write_bytes(path_of("tga"), testing::tga_bytes(gray, true, true));
+  ImageLayout layout;
+  layout.width = layout.height = 8;
+  testing::write_bytes(path_of("jpg"), encode_jpeg(layout, [](int, unsigned char* row) {
+                         std::fill_n(row, 24, std::uint8_t{128});
+                       }));
+  testing::write_exr(path_of("exr"), testing::TestImage<float>{8, 8, 3, std::vector<float>(192)});
+  for (const char* extension : {"png", "jpg", "tif", "exr", "bmp", "webp", "tga"}) {
+    const std::string path = path_of(extension);
     const TexelImage expected = read_texel_image({path});
     std::ifstream file(path, std::ios::binary);
     const desc::EmbeddedFiles embedded = {
@@ -369,17 +385,19 @@ TEST_F(ImageTextureTest, UnreadableImagesAreMagentaWithALocatedWarning) {
 
 TEST_F(ImageTextureTest, PrimariesOfTheirOwnAreAWarningForColours) {
   // Red, green, blue and white of Rec. 2020 and of Rec. 709.
-  const float wide[] = {0.708F, 0.292F, 0.17F, 0.797F, 0.131F, 0.046F, 0.3127F, 0.329F};
-  const float usual[] = {0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F};
-  const auto warnings = [&](const float* primaries, const desc::Node& settings) {
+  const Imf::Chromaticities wide({0.708F, 0.292F}, {0.17F, 0.797F}, {0.131F, 0.046F},
+                                 {0.3127F, 0.329F});
+  const Imf::Chromaticities usual({0.64F, 0.33F}, {0.3F, 0.6F}, {0.15F, 0.06F}, {0.3127F, 0.329F});
+  const auto warnings = [&](const Imf::Chromaticities& primaries, const desc::Node& settings) {
     const std::string path = (folder_ / "p.exr").string();
-    const auto output = OIIO::ImageOutput::create(path);
-    OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::FLOAT);
-    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), primaries);
-    const float texel[] = {1.F, 0.5F, 0.25F};
-    EXPECT_TRUE(output->open(path, spec));
-    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, texel));
-    output->close();
+    {
+      Imf::Header header(1, 1);
+      Imf::addChromaticities(header, primaries);
+      const Imf::Rgba texel(1.F, 0.5F, 0.25F);
+      Imf::RgbaOutputFile file(path.c_str(), header, Imf::WRITE_RGB);
+      file.setFrameBuffer(&texel, 1, 1);
+      file.writePixels(1);
+    }
     desc::SceneDesc scene;
     desc::Node node = settings;
     node.set("file", path);

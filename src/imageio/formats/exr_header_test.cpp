@@ -1,4 +1,4 @@
-#include "imageio/exr_header.h"
+#include "imageio/formats/exr_header.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
