@@ -81,8 +81,14 @@ class ImageDecoder {
   /// Of a picture by itself, with the usual channels: Y, or R, G and B; and A if their number is
   /// even.
   void describe_pixels(int width, int height, int channels, SampleType type);
+  /// Takes some channels out of a row that has them all, of the type that the header says, as they
+  /// are or as floats: whole numbers then go from 0 to 1. `to`: the place of the row's first value
+  /// among those that are wanted; after it, of the next.
+  void pick(const void* row, int first_channel, int channels, SampleType type, void*& to) const;
 
   ImageHeader header_;
+  int row_channels_ = 0;     ///< of rows to pick from, which may have more than the header says
+  bool multiplies_ = false;  ///< what it picks, with alpha
 };
 
 /// Opens the first image of a file; what a file begins with says of which format it is.

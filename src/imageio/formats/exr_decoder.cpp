@@ -172,6 +172,7 @@ class LuminanceChromaDecoder final : public ImageDecoder {
  public:
   explicit LuminanceChromaDecoder(const std::string& path) : file_(path.c_str(), 0) {
     describe(file_.header(), header_);
+    row_channels_ = 4;
     header_.names = {"R", "G", "B"};
     if ((file_.channels() & Imf::WRITE_A) != 0) {
       header_.alpha_channel = 3;
@@ -192,30 +193,15 @@ class LuminanceChromaDecoder final : public ImageDecoder {
   void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
                  void* values) override {
     const Imath::Box2i data = file_.dataWindow();
-    const auto width = static_cast<std::size_t>(header().width);
-    std::vector<Imf::Rgba> row(width);
-    void* to = values;
+    std::vector<Imf::Rgba> row(static_cast<std::size_t>(header().width));
     for (int y = data.min.y + first; y < data.min.y + first + rows; ++y) {
       file_.setFrameBuffer(row.data() - data.min.x, 1, 0);
       file_.readPixels(y);
-      if (type == SampleType::Half) {
-        to = copy(row, first_channel, channels, static_cast<Imath::half*>(to));
-      } else {
-        to = copy(row, first_channel, channels, static_cast<float*>(to));
-      }
+      pick(row.data(), first_channel, channels, type, values);
     }
   }
 
  private:
-  template <typename T>
-  static T* copy(const std::vector<Imf::Rgba>& row, int first_channel, int channels, T* to) {
-    for (const Imf::Rgba& pixel : row) {
-      const Imath::half all[4] = {pixel.r, pixel.g, pixel.b, pixel.a};
-      for (int c = 0; c < channels; ++c) *to++ = all[first_channel + c];
-    }
-    return to;
-  }
-
   Imf::RgbaInputFile file_;
 };
 

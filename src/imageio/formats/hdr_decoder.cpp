@@ -37,7 +37,6 @@ class HdrReader {
   /// Stored ones: of the picture, or its columns.
   int rows() const { return rows_; }
   int columns() const { return columns_; }
-  bool runs_from_top_left() const { return !is_turned_ && goes_down_ && goes_right_; }
 
   /// Where the pixel `column` of a stored row is in the picture, row by row.
   std::size_t place_of(int row, int column) const {
@@ -154,73 +153,51 @@ class HdrReader {
 
 class HdrDecoder final : public ImageDecoder {
  public:
-  explicit HdrDecoder(const std::string& path)
-      : path_(path), reader_(std::make_unique<HdrReader>(path)) {
-    describe_pixels(reader_->width(), reader_->height(), 3, SampleType::Float);
+  explicit HdrDecoder(const std::string& path) : reader_(path) {
+    describe_pixels(reader_.width(), reader_.height(), 3, SampleType::Float);
   }
 
   double most_pixels_per_byte() const override { return packing::kRuns; }
-  std::uint64_t pixel_bytes() const override { return 3 * sizeof(float); }
-  bool is_read_in_parts() const override { return true; }
+  std::uint64_t pixel_bytes() const override { return sizeof(Rgbe); }
+  bool is_read_in_parts() const override { return false; }
   std::uint64_t working_bytes() const override {
-    const std::uint64_t row =
-        static_cast<std::uint64_t>(reader_->columns()) * (sizeof(Rgbe) + pixel_bytes());
-    return row + (reader_->runs_from_top_left() ? 0 : header().pixels() * sizeof(Rgbe));
+    constexpr std::uint64_t kFloats = 3 * sizeof(float);
+    return static_cast<std::uint64_t>(reader_.columns()) * sizeof(Rgbe) +
+           static_cast<std::uint64_t>(header().width) * kFloats;
   }
 
   void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
                  void* values) override {
+    if (pixels_.empty()) read_pixels();
     const auto width = static_cast<std::size_t>(header().width);
-    const ChannelPicker picker(3, first_channel, channels, type);
-    floats_.resize(3 * width);
-    if (!reader_->runs_from_top_left()) {
-      if (whole_.empty()) read_whole();
-      for (int y = first; y < first + rows; ++y) {
-        pick(picker, whole_.data() + static_cast<std::size_t>(y) * width, width, values);
+    std::vector<float> floats(3 * width);
+    for (int y = first; y < first + rows; ++y) {
+      const Rgbe* row = pixels_.data() + static_cast<std::size_t>(y) * width;
+      for (std::size_t i = 0; i < floats.size(); ++i) {
+        const Rgbe& pixel = row[i / 3];
+        const float scale = pixel[3] == 0 ? 0.F : std::ldexp(1.F, pixel[3] - (128 + 8));
+        floats[i] = static_cast<float>(pixel[i % 3]) * scale;
       }
-      return;
-    }
-    if (first < next_) {
-      reader_ = std::make_unique<HdrReader>(path_);
-      next_ = 0;
-    }
-    row_.resize(width);
-    for (; next_ < first + rows; ++next_) {
-      reader_->read_row(row_);
-      if (next_ < first) continue;
-      pick(picker, row_.data(), width, values);
+      pick(floats.data(), first_channel, channels, type, values);
     }
   }
 
  private:
-  void pick(const ChannelPicker& picker, const Rgbe* row, std::size_t width, void*& values) {
-    for (std::size_t x = 0; x < width; ++x) {
-      const Rgbe& pixel = row[x];
-      const float scale = pixel[3] == 0 ? 0.F : std::ldexp(1.F, pixel[3] - (128 + 8));
-      for (std::size_t c = 0; c < 3; ++c) floats_[3 * x + c] = static_cast<float>(pixel[c]) * scale;
-    }
-    picker.pick(floats_.data(), width, values);
-  }
-
-  /// The picture row by row from the top left, whatever the file has.
-  void read_whole() {
-    std::vector<Rgbe> whole(static_cast<std::size_t>(header().pixels()));
-    row_.resize(static_cast<std::size_t>(reader_->columns()));
-    for (int i = 0; i < reader_->rows(); ++i) {
-      reader_->read_row(row_);
-      for (int j = 0; j < reader_->columns(); ++j) {
-        whole[reader_->place_of(i, j)] = row_[static_cast<std::size_t>(j)];
+  /// Row by row from the top left, whatever the file has.
+  void read_pixels() {
+    std::vector<Rgbe> pixels(static_cast<std::size_t>(header().pixels()));
+    std::vector<Rgbe> row(static_cast<std::size_t>(reader_.columns()));
+    for (int i = 0; i < reader_.rows(); ++i) {
+      reader_.read_row(row);
+      for (int j = 0; j < reader_.columns(); ++j) {
+        pixels[reader_.place_of(i, j)] = row[static_cast<std::size_t>(j)];
       }
     }
-    whole_ = std::move(whole);
+    pixels_ = std::move(pixels);
   }
 
-  std::string path_;
-  std::unique_ptr<HdrReader> reader_;
-  int next_ = 0;
-  std::vector<Rgbe> row_;
-  std::vector<Rgbe> whole_;  ///< of files that do not run from the top left
-  std::vector<float> floats_;
+  HdrReader reader_;
+  std::vector<Rgbe> pixels_;
 };
 
 }  // namespace

@@ -37,58 +37,19 @@ inline constexpr double kDeflate = 8.0 * 1032.0;  ///< it makes at most so many 
 inline constexpr double kUnknown = 1 << 20;       ///< fax code spends a bit on a white row
 }  // namespace packing
 
-template <typename T>
-void multiply_with_alpha(T* row, std::size_t width, std::size_t channels, std::size_t alpha) {
-  for (T* pixel = row; pixel < row + width * channels; pixel += channels) {
-    for (std::size_t c = 0; c < channels; ++c) {
-      if (c == alpha) continue;
-      const auto value = static_cast<float>(pixel[c]);
-      const auto opacity = static_cast<float>(pixel[alpha]);
-      if constexpr (std::is_integral_v<T>) {
-        constexpr float kWhole = static_cast<T>(-1);
-        pixel[c] = static_cast<T>(value * (opacity / kWhole) + 0.5F);
-      } else {
-        pixel[c] = static_cast<T>(value * opacity);
-      }
-    }
-  }
-}
-
-/// Takes some channels out of rows that have them all, as they are or as floats: whole numbers then
-/// go from 0 to 1.
-class ChannelPicker {
+/// An image that its library decodes row by row, from the top.
+class RowByRowDecoder : public ImageDecoder {
  public:
-  ChannelPicker(int channels, int first, int count, SampleType wanted)
-      : channels_(static_cast<std::size_t>(channels)),
-        first_(static_cast<std::size_t>(first)),
-        count_(static_cast<std::size_t>(count)),
-        wanted_(wanted) {}
+  void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
+                 void* values) final;
 
-  /// `to`: the place of the row's first value among those that are wanted; after it, of the next.
-  template <typename T>
-  void pick(const T* row, std::size_t width, void*& to) const {
-    if (wanted_ == SampleType::Float) {
-      copy(row, width, static_cast<float*>(to), to, [](T value) {
-        if constexpr (!std::is_integral_v<T>) return static_cast<float>(value);
-        return static_cast<float>(value) * (1.F / static_cast<float>(static_cast<T>(-1)));
-      });
-    } else {
-      copy(row, width, static_cast<T*>(to), to, [](T value) { return value; });
-    }
-  }
+ protected:
+  /// Goes back to the top.
+  virtual void restart() = 0;
+  virtual const void* next_row(int y) = 0;
 
  private:
-  template <typename T, typename U, typename Convert>
-  void copy(const T* row, std::size_t width, U* out, void*& end, Convert convert) const {
-    for (std::size_t x = 0; x < width; ++x) {
-      const T* pixel = row + x * channels_ + first_;
-      for (std::size_t c = 0; c < count_; ++c) *out++ = convert(pixel[c]);
-    }
-    end = out;
-  }
-
-  std::size_t channels_, first_, count_;
-  SampleType wanted_;
+  int next_ = 0;
 };
 
 /// Bytes that a library made, with what frees them.
@@ -97,21 +58,16 @@ using LibraryBytes = std::unique_ptr<unsigned char, void (*)(void*)>;
 /// An image of 8 bits that its library decodes as a whole, when the first rows are asked for.
 class WholeImageDecoder : public ImageDecoder {
  public:
-  std::uint64_t pixel_bytes() const final { return static_cast<std::uint64_t>(stored_channels_); }
+  std::uint64_t pixel_bytes() const final { return static_cast<std::uint64_t>(row_channels_); }
   bool is_read_in_parts() const final { return false; }
   void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
                  void* values) final;
 
  protected:
-  /// `stored_channels`: of what `decode` makes, if they are more than those of the header.
-  void describe_whole(int width, int height, int channels, bool has_unassociated_alpha,
-                      int stored_channels = 0);
   /// All pixels, row by row, with alpha as the file has it. Raises IoError.
   virtual LibraryBytes decode() = 0;
 
  private:
-  int stored_channels_ = 0;
-  bool multiplies_ = false;
   LibraryBytes bytes_{nullptr, nullptr};
 };
 

@@ -76,7 +76,7 @@ class JpegReader {
   bool is_started_ = false;
 };
 
-class JpegDecoder final : public ImageDecoder {
+class JpegDecoder final : public RowByRowDecoder {
  public:
   explicit JpegDecoder(const std::string& path)
       : path_(path), reader_(std::make_unique<JpegReader>(path)) {
@@ -95,25 +95,15 @@ class JpegDecoder final : public ImageDecoder {
                                         : row_.size() * kRows;
   }
 
-  void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
-                 void* values) override {
-    if (first < next_) {
-      reader_ = std::make_unique<JpegReader>(path_);
-      next_ = 0;
-    }
-    const ChannelPicker picker(header().channels, first_channel, channels, type);
-    for (; next_ < first + rows; ++next_) {
-      reader_->read_row(row_.data());
-      if (next_ >= first) {
-        picker.pick(row_.data(), static_cast<std::size_t>(header().width), values);
-      }
-    }
+ private:
+  void restart() override { reader_ = std::make_unique<JpegReader>(path_); }
+  const void* next_row(int) override {
+    reader_->read_row(row_.data());
+    return row_.data();
   }
 
- private:
   std::string path_;
   std::unique_ptr<JpegReader> reader_;
-  int next_ = 0;
   std::vector<unsigned char> row_;
 };
 

@@ -50,46 +50,29 @@ File open_file(const std::string& path) {
   return file;
 }
 
-void WholeImageDecoder::describe_whole(int width, int height, int channels,
-                                       bool has_unassociated_alpha, int stored_channels) {
-  describe_pixels(width, height, channels, SampleType::UInt8);
-  stored_channels_ = std::max(channels, stored_channels);
-  multiplies_ = header().alpha_channel >= 0 && !has_unassociated_alpha;
+void RowByRowDecoder::read_rows(int first, int rows, int first_channel, int channels,
+                                SampleType type, void* values) {
+  if (first < next_) {
+    restart();
+    next_ = 0;
+  }
+  for (; next_ < first + rows; ++next_) {
+    const void* row = next_row(next_);
+    if (next_ >= first) pick(row, first_channel, channels, type, values);
+  }
 }
 
 void WholeImageDecoder::read_rows(int first, int rows, int first_channel, int channels,
                                   SampleType type, void* values) {
-  const auto width = static_cast<std::size_t>(header().width);
-  const auto stored = static_cast<std::size_t>(stored_channels_);
-  if (!bytes_) {
-    bytes_ = decode();
-    if (multiplies_) {
-      multiply_with_alpha(bytes_.get(), header().pixels(), stored,
-                          static_cast<std::size_t>(header().alpha_channel));
-    }
-  }
-  const ChannelPicker picker(stored_channels_, first_channel, channels, type);
+  if (!bytes_) bytes_ = decode();
+  const auto row =
+      static_cast<std::size_t>(header().width) * static_cast<std::size_t>(pixel_bytes());
   for (int y = first; y < first + rows; ++y) {
-    picker.pick(bytes_.get() + static_cast<std::size_t>(y) * width * stored, width, values);
+    pick(bytes_.get() + static_cast<std::size_t>(y) * row, first_channel, channels, type, values);
   }
 }
 
 }  // namespace image_formats
-
-void ImageDecoder::describe_pixels(int width, int height, int channels, SampleType type) {
-  header_.width = width;
-  header_.height = height;
-  header_.channels = channels;
-  header_.resolution = {width, height};
-  header_.type = type;
-  header_.is_integer = type == SampleType::UInt8 || type == SampleType::UInt16;
-  header_.names =
-      channels < 3 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"};
-  if (channels % 2 == 0) {
-    header_.alpha_channel = channels - 1;
-    header_.names.emplace_back("A");
-  }
-}
 
 std::unique_ptr<ImageDecoder> open_image(const std::string& path, bool has_unassociated_alpha) {
   using namespace image_formats;

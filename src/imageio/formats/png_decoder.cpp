@@ -70,7 +70,7 @@ class PngReader {
   png_infop info_ = nullptr;
 };
 
-class PngDecoder final : public ImageDecoder {
+class PngDecoder final : public RowByRowDecoder {
  public:
   PngDecoder(const std::string& path, bool has_unassociated_alpha)
       : path_(path), reader_(std::make_unique<PngReader>(path)) {
@@ -86,37 +86,12 @@ class PngDecoder final : public ImageDecoder {
   bool is_read_in_parts() const override { return !reader_->is_interlaced(); }
   std::uint64_t working_bytes() const override { return 2 * reader_->row_bytes(); }
 
-  void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
-                 void* values) override {
-    if (first < next_) {
-      reader_ = std::make_unique<PngReader>(path_);
-      next_ = 0;
-      whole_.clear();
-    }
-    const ChannelPicker picker(header().channels, first_channel, channels, type);
-    const auto width = static_cast<std::size_t>(header().width);
-    for (; next_ < first + rows; ++next_) {
-      unsigned char* row = next_row();
-      if (next_ < first) continue;
-      if (header().type == SampleType::UInt16) {
-        pick(reinterpret_cast<std::uint16_t*>(row), width, picker, values);
-      } else {
-        pick(row, width, picker, values);
-      }
-    }
-  }
-
  private:
-  template <typename T>
-  void pick(T* row, std::size_t width, const ChannelPicker& picker, void*& values) {
-    if (multiplies_) {
-      const std::size_t channels = header().names.size();
-      multiply_with_alpha(row, width, channels, channels - 1);
-    }
-    picker.pick(row, width, values);
+  void restart() override {
+    reader_ = std::make_unique<PngReader>(path_);
+    whole_.clear();
   }
-
-  unsigned char* next_row() {
+  const void* next_row(int y) override {
     const std::size_t bytes = reader_->row_bytes();
     if (!reader_->is_interlaced()) {
       whole_.resize(bytes);
@@ -127,16 +102,14 @@ class PngDecoder final : public ImageDecoder {
     if (whole_.empty()) {
       whole_.resize(bytes * rows);
       std::vector<unsigned char*> starts(rows);
-      for (std::size_t y = 0; y < rows; ++y) starts[y] = whole_.data() + y * bytes;
+      for (std::size_t i = 0; i < rows; ++i) starts[i] = whole_.data() + i * bytes;
       reader_->read_all(starts.data());
     }
-    return whole_.data() + static_cast<std::size_t>(next_) * bytes;
+    return whole_.data() + static_cast<std::size_t>(y) * bytes;
   }
 
   std::string path_;
   std::unique_ptr<PngReader> reader_;
-  bool multiplies_ = false;
-  int next_ = 0;
   std::vector<unsigned char> whole_;  ///< the row that was read last, or all of an interlaced image
 };
 

@@ -56,17 +56,9 @@ class PnmDecoder final : public ImageDecoder {
 
   void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
                  void* values) override {
-    const ChannelPicker picker(header().channels, first_channel, channels, type);
-    const auto width = static_cast<std::size_t>(header().width);
     for (int y = first; y < first + rows; ++y) {
       read_row(runs_from_bottom_ ? header().height - 1 - y : y);
-      if (header().type == SampleType::UInt8) {
-        picker.pick(row_.data(), width, values);
-      } else if (header().type == SampleType::UInt16) {
-        picker.pick(reinterpret_cast<const std::uint16_t*>(row_.data()), width, values);
-      } else {
-        picker.pick(reinterpret_cast<const float*>(row_.data()), width, values);
-      }
+      pick(row_.data(), first_channel, channels, type, values);
     }
   }
 

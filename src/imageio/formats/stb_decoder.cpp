@@ -50,7 +50,8 @@ class StbDecoder final : public WholeImageDecoder {
   StbDecoder(const std::string& path, int width, int height, int channels,
              bool has_unassociated_alpha)
       : path_(path) {
-    describe_whole(width, height, channels, has_unassociated_alpha);
+    describe_pixels(width, height, channels, SampleType::UInt8);
+    multiplies_ = header().alpha_channel >= 0 && !has_unassociated_alpha;
   }
 
   double most_pixels_per_byte() const override { return packing::kRuns; }

@@ -146,7 +146,7 @@ class TiffDecoder final : public ImageDecoder {
   TiffDecoder(std::unique_ptr<TiffFile> file, const TiffTags& tags, bool has_unassociated_alpha)
       : file_(std::move(file)), tags_(tags), block_(*file_, tags) {
     describe_pixels(tags.width, tags.height, std::min(tags.samples, 4), tags.type());
-    header_.channels = tags.samples;
+    header_.channels = row_channels_ = tags.samples;
     for (int i = 4; i < tags.samples; ++i) name_channel(i);
     if (block_.bytes / block_.rows(tags) < stored_row_bytes()) file_->fail();
     std::uint16_t count = 0;
@@ -181,17 +181,13 @@ class TiffDecoder final : public ImageDecoder {
 
   void read_rows(int first, int rows, int first_channel, int channels, SampleType type,
                  void* values) override {
-    const ChannelPicker picker(header().channels, first_channel, channels, type);
     const int end = first + rows;
     for (int top = first / block_.height * block_.height; top < end; top += block_.height) {
       read_blocks(top);
       const int bottom = std::min(top + block_.height, end);
       for (int y = std::max(top, first); y < bottom; ++y) {
-        unsigned char* row = rows_.data() + static_cast<std::size_t>(y - top) * row_bytes();
-        if (header().type == SampleType::UInt8) pick(row, picker, values);
-        if (header().type == SampleType::UInt16) pick_as<std::uint16_t>(row, picker, values);
-        if (header().type == SampleType::Half) pick_as<Imath::half>(row, picker, values);
-        if (header().type == SampleType::Float) pick_as<float>(row, picker, values);
+        pick(rows_.data() + static_cast<std::size_t>(y - top) * row_bytes(), first_channel,
+             channels, type, values);
       }
     }
   }
@@ -212,20 +208,6 @@ class TiffDecoder final : public ImageDecoder {
   std::size_t stored_row_bytes() const {
     const std::uint64_t pixel = tags_.has_planes ? size_of(header().type) : pixel_bytes();
     return static_cast<std::size_t>(block_.width) * static_cast<std::size_t>(pixel);
-  }
-
-  template <typename T>
-  void pick_as(unsigned char* row, const ChannelPicker& picker, void*& values) {
-    pick(reinterpret_cast<T*>(row), picker, values);
-  }
-  template <typename T>
-  void pick(T* row, const ChannelPicker& picker, void*& values) {
-    const auto width = static_cast<std::size_t>(header().width);
-    if (multiplies_) {
-      multiply_with_alpha(row, width, header().names.size(),
-                          static_cast<std::size_t>(header().alpha_channel));
-    }
-    picker.pick(row, width, values);
   }
 
   /// Fills `rows_` with those of the blocks that begin at this row.
@@ -273,7 +255,6 @@ class TiffDecoder final : public ImageDecoder {
   std::unique_ptr<TiffFile> file_;
   TiffTags tags_;
   TiffBlock block_;
-  bool multiplies_ = false;
   std::vector<unsigned char> stored_;  ///< a block
   std::vector<unsigned char> rows_;    ///< all channels of all blocks beside each other
 };
@@ -291,7 +272,8 @@ class TiffColorDecoder final : public WholeImageDecoder {
           "floating-point numbers of 16 and 32 bits are, in grey or RGB");
     }
     const bool is_gray = tags.is_gray() || tags.colors == PHOTOMETRIC_MINISWHITE;
-    describe_whole(tags.width, tags.height, is_gray ? 1 : 3, true, 4);
+    describe_pixels(tags.width, tags.height, is_gray ? 1 : 3, SampleType::UInt8);
+    row_channels_ = 4;
   }
 
   double most_pixels_per_byte() const override { return tags_.most_pixels_per_byte(); }

@@ -31,8 +31,9 @@ class WebpDecoder final : public WholeImageDecoder {
     }
     if (status != VP8_STATUS_OK) throw IoError("the image is damaged (its header is no WebP's)");
     if (features_.has_animation != 0) throw IoError("it is an animated WebP, which is not read");
-    describe_whole(features_.width, features_.height, features_.has_alpha != 0 ? 4 : 3,
-                   has_unassociated_alpha);
+    describe_pixels(features_.width, features_.height, features_.has_alpha != 0 ? 4 : 3,
+                    SampleType::UInt8);
+    multiplies_ = header().alpha_channel >= 0 && !has_unassociated_alpha;
   }
 
   double most_pixels_per_byte() const override {
