@@ -80,10 +80,11 @@ struct Part {
     tile_width = std::max(cursor.number(), 1);
     tile_height = std::max(cursor.number(), 1);
   }
-  void read_channels(Cursor& cursor, std::uint64_t end) {
+  /// As the library does: up to an empty name, whatever size is written before.
+  void read_channels(Cursor& cursor) {
     constexpr std::int32_t kHalf = 1;
     pixel_bytes = 0.0;
-    while (cursor.is_good() && cursor.place() < end && !cursor.name().empty()) {
+    while (cursor.is_good() && !cursor.name().empty()) {
       const double bytes = cursor.number() == kHalf ? 2.0 : 4.0;
       cursor.number();  // for the eye or not
       const double across = std::max(cursor.number(), 1);
@@ -175,7 +176,7 @@ std::string exr_header_complaint(const std::string& path, std::uint64_t file_byt
     if (name == "compression") part.compression = cursor.byte();
     if (name == "tiles") part.read_tile_size(cursor);
     if (type == "chlist") {
-      part.read_channels(cursor, end);
+      part.read_channels(cursor);
       expected = cursor.place() - place;
     }
     if (cursor.is_good() && expected != end - place) {

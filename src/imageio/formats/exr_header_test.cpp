@@ -78,6 +78,8 @@ TEST_F(ExrHeader, SizesThatAreNotThoseOfTheTypeAreTold) {
   const auto size = static_cast<std::uint32_t>(list.size());
   EXPECT_EQ(complaint(window(7) + attribute("channels", "chlist", size, list)), "");
   EXPECT_NE(complaint(window(7) + attribute("channels", "chlist", size - 10, list)), "");
+  const std::string endless = list.substr(0, list.size() - 1);
+  EXPECT_NE(complaint(attribute("channels", "chlist", size - 1, endless) + window(7)), "");
 }
 
 TEST_F(ExrHeader, MoreRowsThanBytesCouldHoldAreTold) {
