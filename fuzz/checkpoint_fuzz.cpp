@@ -60,10 +60,10 @@ struct Method {
 const std::vector<Method>& methods() {
   static const std::vector<Method> kMethods = {
       {"pt", {}},
-      {"mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}},
-      {"pssmlt+", {{"mutation", "kelemen"}, {"bootstrap", "1000"}}},
-      {"selective", {{"split", "0.1"}, {"pilot-samples", "8"}}},
-      {"selective", {{"chain", "mlt"}, {"split", "0.1"}, {"pilot-samples", "8"}}}};
+      {"mmlt", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}},
+      {"masked", {{"pilot-samples", "8"}, {"bootstrap", "1000"}}},
+      {"selective", {{"split", "0.1"}}},
+      {"selective", {{"chain", "mlt"}, {"split", "0.1"}}}};
   return kMethods;
 }
 

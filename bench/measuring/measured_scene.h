@@ -17,7 +17,7 @@ struct MeasureOptions {
   std::string folder = "build/measured-scenes";  ///< where references are kept
   double reference_seconds = 400.0;              ///< of CPU, of all that is rendered
   /// Of references: these two fail in different places.
-  std::vector<std::string> reference_methods = {"bdpt", "mmlt+"};
+  std::vector<std::string> reference_methods = {"bdpt", "selective"};
 };
 
 /// A scene, and what a picture of it should be.

@@ -16,9 +16,8 @@ enum class RandomUse : std::uint64_t {
   StrongLightPath = 0x57707,
   // Markov chains.
   Bootstrap = 0xb0075,
-  Seeds = 0x5eed,   ///< systematic resampling
-  Chain = 0xc4a15,  ///< a chain's own seed
-  PlainSamples = 0x91a17,
+  Seeds = 0x5eed,       ///< systematic resampling
+  Chain = 0xc4a15,      ///< a chain's own seed
   StepLength = 0x1e46,  ///< of small steps; beyond the keys of tries
   RasterMove = 0x7a57e7,
   RasterLength = 0x1e467,
@@ -30,17 +29,18 @@ enum class RandomUse : std::uint64_t {
   SpecularPhotons = 0x9405,
   // The preparation of divided light.
   BrightnessPilot = 0x91107,
+  DarkPilot = 0x91a17,
   DivisionPilot = 0x9e9107,
   SurfacePilot = 0x50fa3,
   RouletteTrial = 0x4071e77e,
   RouletteScramble = 1,  ///< their points
   TechniqueTrial = 0x11997,
   TechniqueTiles = 0x711e5,  ///< which of the picture it renders
-  // Recruits.
-  RecruitLot = 0x6a1e,
-  LightLot = 0xf09d,
-  RecruitReplicate = 0x5ca77,
-  RecruitSeeds = 0x10e5,
+  // The seed reservoir.
+  SeedRoulette = 0x6a1e,
+  PilotRoulette = 0xf09d,
+  SeedReplicate = 0x5ca77,
+  SeedResampling = 0x10e5,
   // After the render.
   Features = 0xfea7,
 };

@@ -6,7 +6,7 @@
 
 #include "image/importance_map.h"
 #include "image/pixel_at.h"
-#include "integrator/path_part.h"
+#include "integrator/chain_weight.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
@@ -17,7 +17,7 @@ inline const std::string kWeakLayer = "indirect-weak";
 inline const std::string kStrongLayer = "indirect-strong";
 
 /// How the long paths of a pixel are divided.
-struct PixelShare {
+struct PixelDivision {
   /// T: of what a technique brings, chains make the part above, in the units of radiance ·
   /// importance. 0: all of it.
   float threshold = 0.F;
@@ -49,7 +49,7 @@ struct PixelShare {
 /// spends no time on what it does not make. The idea to divide in path space is Bitterli & Jarosz
 /// 2019's. With T = 0 it is the division by an image σ of Frolov (docs/methods/selective.md),
 /// and both sides may have different techniques.
-class Division final : public PathPart {
+class Division final : public ChainWeight {
  public:
   /// Edges of the longest paths that are direct light.
   static constexpr int kDirectDepth = 2;
@@ -60,13 +60,13 @@ class Division final : public PathPart {
     shares_.front().threshold = highest_;
   }
   /// `shares`: one per pixel of `crop`, row by row.
-  Division(const Box2i& crop, std::vector<PixelShare> shares, const ImportanceMap& importance)
+  Division(const Box2i& crop, std::vector<PixelDivision> shares, const ImportanceMap& importance)
       : crop_(crop), shares_(std::move(shares)), importance_(&importance) {
-    for (const PixelShare& share : shares_) highest_ = std::max(highest_, share.threshold);
+    for (const PixelDivision& share : shares_) highest_ = std::max(highest_, share.threshold);
   }
 
   static bool divides(Technique technique) { return technique.depth() > kDirectDepth; }
-  const PixelShare& at(const Vec2& raster) const {
+  const PixelDivision& at(const Vec2& raster) const {
     return shares_.size() == 1 ? shares_.front() : shares_[pixel_at(crop_, raster)];
   }
   /// g / (T + g).
@@ -80,7 +80,7 @@ class Division final : public PathPart {
                                            : 0.F;
   }
   float chain_share(float strength, const Vec2& raster) const {
-    const PixelShare& share = at(raster);
+    const PixelDivision& share = at(raster);
     return share.target * above(strength, share.threshold);
   }
   float omc_share(const Contribution& contribution, const Vec2& raster) const {
@@ -88,7 +88,7 @@ class Division final : public PathPart {
                                            : 1.F;
   }
   float omc_share(float strength, const Vec2& raster) const {
-    const PixelShare& share = at(raster);
+    const PixelDivision& share = at(raster);
     return 1.F - share.kept * above(strength, share.threshold);
   }
   /// Both at once, of a contribution whose technique is divided.
@@ -101,7 +101,7 @@ class Division final : public PathPart {
   Parts parts(const Contribution& contribution, const Vec2& raster) const {
     const float light = luminance(contribution.value) * (*importance_)(raster);
     const float strength = light / contribution.chance;
-    const PixelShare& share = at(raster);
+    const PixelDivision& share = at(raster);
     const float over = above(strength, share.threshold);
     return {light, strength, share.target * over, 1.F - share.kept * over};
   }
@@ -112,13 +112,13 @@ class Division final : public PathPart {
     return divides(technique) ? chain_share(light * (*importance_)(raster), raster) : 1.F;
   }
   float kept(const Vec2& raster) const override {
-    const PixelShare& share = at(raster);
+    const PixelDivision& share = at(raster);
     return share.target > 0.F ? share.kept / share.target : 0.F;
   }
   /// Whether the picture takes nothing from chains anywhere.
   bool takes_nothing() const {
     return std::all_of(shares_.begin(), shares_.end(),
-                       [](const PixelShare& share) { return share.kept == 0.F; });
+                       [](const PixelDivision& share) { return share.kept == 0.F; });
   }
   /// T of the pixel where it is highest.
   float highest_threshold() const { return highest_; }
@@ -130,7 +130,7 @@ class Division final : public PathPart {
 
  private:
   Box2i crop_{Vec2i(0, 0), Vec2i(0, 0)};
-  std::vector<PixelShare> shares_;
+  std::vector<PixelDivision> shares_;
   float highest_ = 0.F;
   const ImportanceMap* importance_;
 };

@@ -67,8 +67,8 @@ TEST(Division, KeepsWhatCannotBeAddedForTheOneWhoCounts) {
 
 TEST(Division, SharesAddUpToOneWhateverTheMapAndWhereverThePath) {
   const Box2i crop(Vec2i(2, 3), Vec2i(4, 4));
-  std::vector<PixelShare> shares = {{0.F, 1.F, 1.F},  {0.F, 0.F, 0.F},  {5.F, 0.3F, 0.3F},
-                                    {0.F, 0.1F, 0.F}, {2.F, 0.7F, 1.F}, {9.F, 1.F, 1.F}};
+  std::vector<PixelDivision> shares = {{0.F, 1.F, 1.F},  {0.F, 0.F, 0.F},  {5.F, 0.3F, 0.3F},
+                                       {0.F, 0.1F, 0.F}, {2.F, 0.7F, 1.F}, {9.F, 1.F, 1.F}};
   const ImportanceMap importance;
   const Division division(crop, shares, importance);
   for (int row = 7; row < 24; ++row) {

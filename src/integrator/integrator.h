@@ -185,13 +185,13 @@ struct IntegratorInfo {
   std::vector<ParameterSpec> parameters;
   std::function<std::unique_ptr<Integrator>(const Scene&, const RenderSettings&, const Parameters&)>
       make;
-  /// Adds to what was given what follows from it, such as the values of a preset; may be empty.
-  std::function<std::map<std::string, std::string>(std::map<std::string, std::string>)> complete =
-      nullptr;
+  /// Raises UsageError for names of older versions, with the new ones; may be empty.
+  std::function<void(const std::map<std::string, std::string>& given)> check = nullptr;
 
-  /// What `make` is to be called with. Raises UsageError as `Parameters` does.
+  /// Parameters for `make`. Raises UsageError as `Parameters` does.
   Parameters read(const std::map<std::string, std::string>& given) const {
-    return {parameters, complete ? complete(given) : given};
+    if (check) check(given);
+    return {parameters, given};
   }
 };
 
@@ -206,9 +206,7 @@ const std::vector<AovInfo>& aovs();
 
 /// All integrators, sorted by name.
 const std::vector<IntegratorInfo>& integrators();
-/// Settings of theirs that tables call by names of their own.
-const std::vector<IntegratorInfo>& integrator_presets();
-/// Of either kind. Raises UsageError with the nearest name.
+/// Raises UsageError with the nearest name.
 const IntegratorInfo& find_integrator(const std::string& name);
 
 }  // namespace ajar

@@ -28,21 +28,18 @@ struct Method {
   std::map<std::string, std::string> parameters;
 };
 
-/// All that any method keeps: chains, recruits, rates, prices, errors that last; and maps.
+/// Everything that methods keep: chains, seeds, sample rates, prices; and maps of visits.
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const std::string& name :
        test::methods_but(test::those_without_chains("it keeps nothing, see below"))) {
     methods.push_back({test::name_for_tests(name), name, {{"bootstrap", "1000"}}});
     if (name == "selective") {
-      methods.back().parameters = {{"split", "0.1"}, {"pilot-samples", "8"}};
+      methods.back().parameters = {{"split", "0.1"}};
     }
   }
-  methods.push_back(
-      {"paths",
-       "selective",
-       {{"chain", "mlt"}, {"split", "0.1"}, {"pilot-samples", "8"}, {"bootstrap", "1000"}}});
-  methods.push_back({"maps", "mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}});
+  methods.push_back({"paths", "selective", {{"chain", "mlt"}, {"split", "0.1"}}});
+  methods.push_back({"maps", "mmlt", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}});
   return methods;
 }
 

@@ -52,16 +52,15 @@ TEST_F(CheckpointCli, ResumedRenderHasTheBitsOfOneLeftAlone) {
 
 // A checkpoint must tell what the user has set from what follows from it.
 TEST_F(CheckpointCli, ResumedRenderHasTheSettingsOfTheOneBefore) {
-  const std::vector<std::vector<std::string>> settings = {
-      {"selective", "preset=published"},
-      {"selective", "preset=lambertian-out", "omc=lt"},
-      {"selective", "mutation=kelemen"},
-      {"selective", "step=adaptive"},
-      {"selective", "chain=pssmlt", "omc=lt"},
-      {"mmlt+", "mutation=fusion"},
-      {"pssmlt+", "mutation=kelemen"},
-      {"mlt", "manifold=0.5"},
-      {"erpt", "chain=pssmlt"}};
+  const std::vector<std::vector<std::string>> settings = {{"masked", "pilot=keep"},
+                                                          {"masked", "lambertian=omc", "omc=lt"},
+                                                          {"masked", "chain=pssmlt", "omc=lt"},
+                                                          {"selective", "chain=mlt"},
+                                                          {"mmlt", "step=adaptive"},
+                                                          {"mmlt", "mutation=fusion"},
+                                                          {"pssmlt", "mutation=gaussian"},
+                                                          {"mlt", "manifold=0.5"},
+                                                          {"erpt", "chain=pssmlt"}};
   for (const std::vector<std::string>& setting : settings) {
     std::vector<std::string> arguments{"--integrator", setting.front()};
     for (std::size_t i = 1; i < setting.size(); ++i) {
@@ -78,8 +77,9 @@ TEST_F(CheckpointCli, ResumedRenderHasTheSettingsOfTheOneBefore) {
     const Outcome resumed = run({"resume", "c", "--spp", "32", "--stats", "stats.json"});
     ASSERT_EQ(resumed.exit_code, 0) << what << ": " << resumed.err;
     EXPECT_TRUE(bytes("a.pfm") == bytes("alone.pfm")) << what;
-    if (setting[1] == "preset=published") {
-      EXPECT_EQ(statistics().at("parameters").at("map"), "binary") << "what holds is told";
+    if (setting[1] == "pilot=keep") {
+      EXPECT_EQ(statistics().at("parameters").at("pilot"), "keep");
+      EXPECT_EQ(statistics().at("parameters").at("omc"), "ibpt") << "defaults are told";
     }
   }
 }
@@ -189,7 +189,7 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
   // The second of them in the middle of a pass, of ordinary Monte Carlo and of chains.
   for (const auto& [count, integrator, setting] :
        {std::tuple(1, "pt", "heuristic=power"), std::tuple(2, "pt", "heuristic=power"),
-        std::tuple(2, "mmlt+", "bootstrap=10000")}) {
+        std::tuple(2, "mmlt", "bootstrap=10000")}) {
     const pid_t child = start_endless(
         {"--checkpoint", "c", "--integrator", integrator, "--set", setting}, "160x100");
     for (int i = 0; i < count; ++i) kill(child, i == 0 ? SIGINT : SIGTERM);
@@ -219,7 +219,7 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
 /// the render that was asked for.
 TEST_F(CheckpointCli, AnInterruptedPreparationLeavesAPictureAndNoCheckpoint) {
   const std::vector<std::string> arguments = {"render",       "builtin:cornell",
-                                              "--integrator", "mmlt+",
+                                              "--integrator", "selective",
                                               "--resolution", "640x400",
                                               "--spp",        "1000",
                                               "--threads",    "1",

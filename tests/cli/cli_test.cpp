@@ -219,9 +219,8 @@ TEST_F(Cli, RendersAnySetOfTechniquesAndShowsEach) {
 }
 
 TEST_F(Cli, AllLayersAreThoseThatTheMethodCanMake) {
-  const std::vector<std::string> chains = {"--spp",        "4",       "-o",    "a.exr",
-                                           "--integrator", "mmlt+",   "--set", "direct=chain",
-                                           "--set",        "split=0", "--set", "bootstrap=2000"};
+  const std::vector<std::string> chains = {"--spp",        "4",    "-o",    "a.exr",
+                                           "--integrator", "mmlt", "--set", "bootstrap=2000"};
   std::vector<std::string> all = chains;
   all.insert(all.end(), {"--aov", "all"});
   EXPECT_EQ(render(all).exit_code, 0);

@@ -64,7 +64,7 @@ std::vector<std::string> small_render(const std::string& integrator, const std::
 
 TEST_F(MpiCli, AnyNumberOfRanksGivesTheSameFile) {
   for (const std::string integrator :
-       {"bdpt", "pssmlt", "mmlt", "mlt", "erpt", "mmlt+", "selective"}) {
+       {"bdpt", "pssmlt", "mmlt", "mlt", "erpt", "masked", "selective"}) {
     ASSERT_EQ(run(small_render(integrator, "one.pfm")).exit_code, 0);
     const json alone = statistics();
     for (const int count : {2, 3}) {
@@ -108,13 +108,13 @@ TEST_F(MpiCli, MessagesThatCannotBeWrittenAreDropped) {
 }
 
 TEST_F(MpiCli, CheckpointsGoFromRanksToOneProcessAndBack) {
-  std::vector<std::string> arguments = small_render("mmlt+", "a.pfm");
+  std::vector<std::string> arguments = small_render("selective", "a.pfm");
   arguments.insert(arguments.end(), {"--checkpoint", "c"});
   ASSERT_EQ(run_ranks(2, arguments).exit_code, 0);
   ASSERT_EQ(run({"resume", "c", "--spp", "40"}).exit_code, 0);
   const Outcome outcome = run_ranks(3, {"resume", "c", "--spp", "64", "--threads", "1"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  arguments = small_render("mmlt+", "alone.pfm");
+  arguments = small_render("selective", "alone.pfm");
   std::replace(arguments.begin(), arguments.end(), std::string("24"), std::string("64"));
   ASSERT_EQ(run(arguments).exit_code, 0);
   EXPECT_EQ(bytes("a.pfm"), bytes("alone.pfm"));

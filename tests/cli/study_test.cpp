@@ -183,8 +183,8 @@ TEST_F(StudyCli, AKilledStudyLosesTheRenderThatRanAndNoMore) {
 TEST_F(StudyCli, AFailingRenderDoesNotStopTheOthers) {
   // Only the render itself can tell that the map of importance is absent.
   file("study.json", R"({"scenes": ["builtin:cornell"], "resolution": "16x12", "seeds": 2,
-      "integrators": ["pt", {"integrator": "mmlt+", "name": "mapped",
-                             "parameters": {"importance": "absent.pfm", "bootstrap": 1000}}],
+      "integrators": ["pt", {"integrator": "selective", "name": "mapped",
+                             "parameters": {"importance": "absent.pfm"}}],
       "budgets": [{"spp": 4}], "metrics": ["relmse"],
       "reference": {"integrator": "pt", "spp": 16}})");
   const Outcome outcome = study();
@@ -201,7 +201,7 @@ TEST_F(StudyCli, AFailingRenderDoesNotStopTheOthers) {
   EXPECT_TRUE(results().at("summary").at(0).at("metrics").at("relmse").is_object());
   std::string text = read_text(file("study.json"));
   const std::string made = R"({"integrator": "pt", "spp": 16})";
-  text.replace(text.find(made), made.size(), R"({"integrator": "mmlt+", "spp": 16,
+  text.replace(text.find(made), made.size(), R"({"integrator": "selective", "spp": 16,
       "parameters": {"importance": "nowhere.pfm"}})");
   std::ofstream(file("study.json"), std::ios::trunc) << text;
   EXPECT_EQ(study().exit_code, 1);

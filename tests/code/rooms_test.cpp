@@ -44,9 +44,10 @@ const std::map<std::string, std::set<std::string>>& rooms() {
     add("integrator/montecarlo", "integrator", {});
     add("integrator/metropolis", "integrator/montecarlo", {});
     // Regions and weights that users give come from files.
-    add("integrator/regions", "integrator", {"os", "color", "imageio"});
-    add("integrator/selective", "integrator/metropolis",
-        {"os", "color", "imageio", "integrator/regions"});
+    add("integrator/regions", "integrator/montecarlo", {"os", "color", "imageio"});
+    for (const char* wing : {"integrator/masked", "integrator/selective"}) {
+      add(wing, "integrator/metropolis", {"os", "color", "imageio", "integrator/regions"});
+    }
     add("session", "integrator/selective", {"import", "post"});
     add("api", "session", {});
     may["study/report"] = {"core", "os", "color", "imageio", "image", "post"};

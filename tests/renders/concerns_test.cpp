@@ -72,7 +72,7 @@ TEST(Concerns, NameTheLightOfPointLampsThroughGlassOnBothSides) {
     EXPECT_FALSE(has_it(concerns_of(lamp_behind("glass"), integrator))) << integrator;
   }
   EXPECT_TRUE(has_it(concerns_of(lamp_behind("glass"), "selective", {{"chain", "mmlt"}})));
-  EXPECT_TRUE(has_it(concerns_of(lamp_behind("glass"), "mmlt+", {{"split", "0"}})));
+  EXPECT_TRUE(has_it(concerns_of(lamp_behind("glass"), "masked")));
   EXPECT_TRUE(has_it(concerns_of(lamp_behind("glass"), "erpt", {{"chain", "pssmlt"}})));
 }
 
@@ -112,7 +112,7 @@ TEST(Concerns, NameTheLightOfSmallLampsThroughGlass) {
 }
 
 TEST(Concerns, AreOfOrdinaryMonteCarloBesideChainsAsWell) {
-  EXPECT_EQ(concerns_of(glass_and_metal(), "selective", {{"omc", "lt"}}).size(), 1U);
+  EXPECT_EQ(concerns_of(glass_and_metal(), "masked", {{"omc", "lt"}}).size(), 1U);
   EXPECT_TRUE(concerns_of(glass_and_metal(), "selective").empty());
 }
 
@@ -152,7 +152,7 @@ TEST(Concerns, NameDepthsThatNoTechniqueMakes) {
   };
   EXPECT_NE(of("bdpt", "techniques", "(2,2)").find("paths of 2, 4, 5"), std::string::npos);
   EXPECT_NE(of("bdpt", "techniques", "inner").find("paths of 2 edges"), std::string::npos);
-  EXPECT_NE(of("selective", "omc", "(2,2)").find("paths of 2, 4, 5"), std::string::npos);
+  EXPECT_NE(of("selective", "techniques", "(2,2)").find("paths of 2, 4, 5"), std::string::npos);
   EXPECT_EQ(of("bdpt", "techniques", "explicit"), "");
 }
 

@@ -30,7 +30,7 @@ struct Method {
   std::string integrator;
   std::map<std::string, std::string> parameters;
   std::vector<std::string> aovs = {"albedo", "object-id"};
-  /// b is refined, recruits join and maps end epochs at 4, 8, …
+  /// seeds join chains and maps end epochs at 4, 8, …
   std::uint64_t samples = 16;
 };
 
@@ -38,13 +38,12 @@ struct Method {
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, {}});
-  methods.push_back({"mmlt+", {{"split", "0"}, {"multi-try", "2"}}});
-  methods.push_back({"mmlt+", {{"step", "adaptive"}, {"m1", "1"}}});
-  methods.push_back({"pssmlt+", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
-  methods.push_back({"selective", {{"map", "binary"}, {"chain", "pssmlt"}}});
+  methods.push_back({"mmlt", {{"multi-try", "2"}}});
+  methods.push_back({"mmlt", {{"step", "adaptive"}, {"m1", "1"}}});
+  methods.push_back({"mmlt", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
+  methods.push_back({"masked", {{"pilot", "keep"}, {"chain", "pssmlt"}}});
+  methods.push_back({"masked", {{"chain", "erpt"}, {"mutations", "3"}}});
   methods.push_back({"selective", {{"chain", "mlt"}, {"split", "0.1"}}, {"density"}});
-  methods.push_back({"selective", {{"chain", "mlt"}, {"omc", "pt"}}});
-  methods.push_back({"selective", {{"chain", "erpt"}, {"split", "0.1"}}});
   // Without layers that want as many camera samples everywhere; and until more than three stretches
   // tell how much of the chains' error lasts.
   methods.push_back({"selective", {}, {"density"}});
@@ -76,8 +75,7 @@ class Case {
     // The default bootstrap and pilot take longer than all the rest.
     for (const ParameterSpec& spec : info_.parameters) {
       if (spec.name == "bootstrap") parameters_["bootstrap"] = "3000";
-      if (spec.name == "pilot-samples" && info_.name == "selective")
-        parameters_["pilot-samples"] = "8";
+      if (spec.name == "pilot-samples") parameters_["pilot-samples"] = "8";
     }
   }
 

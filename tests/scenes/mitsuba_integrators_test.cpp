@@ -193,7 +193,7 @@ TEST_P(NullEventsOf, LampsBeyondWhatCountsAreSeenPastHiddenOnesByAnyMethod) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, NullEventsOf, ::testing::ValuesIn(test::methods_but({})),
-                         [](const auto& info) { return test::name_for_tests(info.param); });
+                         [](const auto& one) { return test::name_for_tests(one.param); });
 
 struct Hidden {
   const char* integrator;

@@ -65,8 +65,8 @@ std::vector<Found> found_in(const Scene& scene, const PathSamplerSettings& setti
 /// Another one in every pixel, some of them 0.
 Division random_division(const Box2i& crop, const ImportanceMap& importance) {
   const Vec2i size = crop.size() + Vec2i(1, 1);
-  std::vector<PixelShare> shares(static_cast<std::size_t>(size.x) *
-                                 static_cast<std::size_t>(size.y));
+  std::vector<PixelDivision> shares(static_cast<std::size_t>(size.x) *
+                                    static_cast<std::size_t>(size.y));
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const auto number = [&](std::uint64_t n) {
       return static_cast<float>(to_unit_double(hash_numbers(11, i, n)));
@@ -79,7 +79,7 @@ Division random_division(const Box2i& crop, const ImportanceMap& importance) {
 
 double slow_share(const Scene& scene, const PathSamplerSettings& settings, const Path& path,
                   const Division& division) {
-  const PixelShare& share = division.at(path.raster);
+  const PixelDivision& share = division.at(path.raster);
   double sum = 0.0;
   for (int s = 0; s <= path.depth(); ++s) {
     const Technique technique{s, path.depth() + 1 - s};

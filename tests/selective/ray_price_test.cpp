@@ -73,7 +73,7 @@ double cost_of_precision(const Scene& scene, const std::string& roulette) {
   options.replicates = 4;
   options.samples = 24;
   options.max_depth = 16;
-  options.parameters = {{"omc", "ibpt"}, {"techniques", "ibpt"}, {"roulette", roulette}};
+  options.parameters = {{"techniques", "ibpt"}, {"roulette", roulette}};
   const test::Render render = test::render(scene, options);
   const std::vector<float> image = render.image();
   std::vector<float> luminances;

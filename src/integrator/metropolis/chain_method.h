@@ -17,6 +17,7 @@ struct ChainOrder {
   std::uint64_t bootstrap = 0;          ///< samples, over all groups and replicates
   Parameters monte_carlo;               ///< of what renders if there was no time for a bootstrap
   std::vector<std::string> notes = {};  ///< what the user may like to know of the chains
+  const ChainWeight* part = nullptr;    ///< of the light, if chains do not make all; outlives them
 };
 
 /// All but the groups, by the parameter `bootstrap` and those of the family of path sampling.

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/parameters.h"
+#include "integrator/metropolis/member_chain.h"
+#include "mcmc/primary/plane_moves.h"
 #include "mcmc/primary/primary_kernel.h"
 
 namespace ajar {
@@ -26,8 +28,10 @@ struct ChainMoves {
   ChainMoves(const Parameters& parameters, std::string_view mutation_name);
 
   PrimarySettings settings;
-  std::unique_ptr<Mutation> mutation;
+  std::shared_ptr<const Mutation> mutation;
   bool mis_large_steps;
+  PlaneRule plane{};  ///< of steps that follow the image plane
+  SeedRule seeds{};
 };
 
 }  // namespace ajar

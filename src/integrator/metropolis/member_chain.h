@@ -38,7 +38,7 @@ struct MemberChain {
   /// its own. A seed that is chosen m times starts m chains. One chain with m times the steps would
   /// get farther, but light that seeds stand for in lots would leave its place earlier than other
   /// light comes there, and the picture would be biased.
-  MemberChain twin(std::uint64_t number) const {
+  MemberChain clone(std::uint64_t number) const {
     MemberChain other{chain, {}, weight};
     other.record.by_technique.resize(record.by_technique.size());
     other.chain.seed = hash_numbers(chain.seed, chain.step, number);

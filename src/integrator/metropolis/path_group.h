@@ -65,15 +65,32 @@ inline PathBounds bounds_of(const PathGroup& group, const ChainView& view) {
   return {view, group.sampler.min_depth, group.sampler.max_depth, group.sampler.counted};
 }
 
+/// Everything that chains of one group need to know of what they sample.
+struct ChainProblem {
+  const Scene& scene;
+  const PathGroup& group;
+  const ChainView& view;
+  const ChainWeight* part = nullptr;  ///< of the light that chains make; null: all of it
+};
+
 /// A target of one thread; of explicit paths, connections of two subpaths. What is referred to must
 /// outlive it; `part`, over whose share of the light it is, may be null.
 std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
-                                             const ChainView& view, const PathPart* part = nullptr);
+                                             const ChainView& view,
+                                             const ChainWeight* part = nullptr);
+
+inline std::unique_ptr<PathTarget> make_path_target(const ChainProblem& problem) {
+  return make_path_target(problem.scene, problem.group, problem.view, problem.part);
+}
 
 /// The same for bootstraps: of explicit paths, what these start from (`PathSeeds`). It never
 /// splats.
 std::unique_ptr<PathTarget> make_seed_target(const Scene& scene, const PathGroup& group,
-                                             const ChainView& view, const PathPart* part = nullptr);
+                                             const ChainView& view,
+                                             const ChainWeight* part = nullptr);
+inline std::unique_ptr<PathTarget> make_seed_target(const ChainProblem& problem) {
+  return make_seed_target(problem.scene, problem.group, problem.view, problem.part);
+}
 
 /// The parameter of that name. Raises UsageError for techniques that are tried several times:
 /// chains have no numbers for further tries, and would gain nothing from fewer.

@@ -23,7 +23,7 @@ class PathSeeds final : public PathTarget {
   /// What is referred to must outlive it. `part`: of what techniques bring, if chains do not make
   /// all light; else null. `manifold_tries`: of manifold connections, for each sample.
   PathSeeds(const Scene& scene, const PathGroup& group, const ChainView& view,
-            const PathPart* part = nullptr,
+            const ChainWeight* part = nullptr,
             double manifold_tries = MetropolisHeuristics::kManifoldTries);
   PathSeeds(const PathSeeds&) = delete;
   PathSeeds& operator=(const PathSeeds&) = delete;
@@ -90,7 +90,7 @@ class PathSeeds final : public PathTarget {
   const Scene& scene_;
   const PathGroup& group_;
   const ChainView& view_;
-  const PathPart* part_;
+  const ChainWeight* part_;
   double manifold_tries_;
   PathShare share_;
   PathSampler sampler_;
@@ -106,6 +106,6 @@ class PathSeeds final : public PathTarget {
 /// it.
 std::optional<Path> choose_path(const Scene& scene, const PathGroup& group, const ChainView& view,
                                 const SampleOfChains& sample, std::uint64_t number,
-                                const PathPart* part = nullptr);
+                                const ChainWeight* part = nullptr);
 
 }  // namespace ajar

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "image/importance_map.h"
+#include "integrator/chain_weight.h"
 #include "integrator/metropolis/path_class.h"
-#include "integrator/path_part.h"
 #include "mcmc/primary/target.h"
 #include "path/raster_area.h"
 #include "transport/path_sampler.h"
@@ -79,14 +79,14 @@ class WholePathTarget final : public PathTarget {
  public:
   /// `view`, and `part` if it is not null, must outlive the target.
   WholePathTarget(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view,
-                  const PathPart* part = nullptr, PathClass paths = PathClass::All);
+                  const ChainWeight* part = nullptr, PathClass paths = PathClass::All);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override { directions_.accept(); }
   const RayCounts& ray_counts() const override { return sampler_.ray_counts(); }
 
  private:
   const ChainView& view_;
-  const PathPart* part_;
+  const ChainWeight* part_;
   PathClass paths_;
   bool light_alone_;
   PathSampler sampler_;
@@ -103,7 +103,7 @@ class OnePathTarget final : public PathTarget {
   /// `settings.light_subpaths` of ordinary Monte Carlo.
   OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                 const TechniqueChoice& choice, const ChainView& view,
-                const PathPart* part = nullptr, PathClass paths = PathClass::All);
+                const ChainWeight* part = nullptr, PathClass paths = PathClass::All);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override;
   void rejected() override;
@@ -133,7 +133,7 @@ class OnePathTarget final : public PathTarget {
   static void keep(Halves& halves, bool moved);
 
   const ChainView& view_;
-  const PathPart* part_;
+  const ChainWeight* part_;
   PathClass paths_;
   double light_subpaths_;
   bool uses_lane_;

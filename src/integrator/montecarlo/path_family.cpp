@@ -163,7 +163,7 @@ class PathIntegrator final : public Integrator {
   /// The share of a pixel in the picture's sample number `i`. Returns how many camera samples that
   /// were.
   std::uint64_t sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
-                             SampleSink& sink, StrongPathSink* strong) const {
+                             SampleSink& sink, OutlierSink* strong) const {
     const std::uint64_t replicate = i % replicates();
     const std::uint64_t round = i / replicates();
     sink.begin_pixel(pixel, static_cast<int>(replicate),
@@ -193,7 +193,7 @@ class PathIntegrator final : public Integrator {
   /// The light subpaths that belong to number `number` of the pixels' shares in the picture's
   /// samples.
   void sample_light(std::uint64_t replicate, std::uint64_t number, PathSampler& sampler,
-                    SampleSink& sink, StrongPathSink* strong) const {
+                    SampleSink& sink, OutlierSink* strong) const {
     const auto [first, last] = light_numbers(number);
     for (std::uint64_t n = first; n < last; ++n) {
       with_source(light_identity(replicate, n), [&](SampleSource& source) {
@@ -219,7 +219,7 @@ class PathIntegrator final : public Integrator {
   const Scene& scene_;
   RenderSettings settings_;
   const Divisions* divisions_;
-  const StrongPathSinks* strong_;
+  const OutlierSinkFactory* strong_;
   const SampleRates* rates_;
   const RayPrice* price_;
   bool joins_by_manifolds_;

@@ -6,7 +6,7 @@
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/montecarlo/ray_price.h"
 #include "integrator/montecarlo/sample_rates.h"
-#include "integrator/strong_paths.h"
+#include "integrator/outlier_paths.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
@@ -41,11 +41,11 @@ struct PathIntegratorContext {
   /// With these, it leaves Markov chains their share of long paths and puts its own into the layer
   /// `kWeakLayer`.
   const Divisions* divisions = nullptr;
-  const StrongPathSinks* strong = nullptr;  ///< see what it leaves to chains
-  const SampleRates* rates = nullptr;       ///< of camera samples; one per pixel without
-  const RayPrice* price = nullptr;          ///< saves rays by Russian roulette
-  std::optional<PictureScale> scale{};      ///< measured unless it is known
-  bool joins_by_manifolds = false;          ///< see `blind_spots`
+  const OutlierSinkFactory* strong = nullptr;  ///< see what it leaves to chains
+  const SampleRates* rates = nullptr;          ///< of camera samples; one per pixel without
+  const RayPrice* price = nullptr;             ///< saves rays by Russian roulette
+  std::optional<PictureScale> scale{};         ///< measured unless it is known
+  bool joins_by_manifolds = false;             ///< see `blind_spots`
 };
 
 /// Ordinary Monte Carlo with one set of techniques (docs/methods/bidirectional.md): `pt`, `lt`,

@@ -10,7 +10,7 @@
 #include "integrator/montecarlo/sample_rates.h"
 #include "integrator/montecarlo/technique_layers.h"
 #include "integrator/montecarlo/technique_tally.h"
-#include "integrator/strong_paths.h"
+#include "integrator/outlier_paths.h"
 #include "transport/path_sampler.h"
 #include "transport/sample_source.h"
 
@@ -42,11 +42,11 @@ class SampleSink final : public PathSink {
   float worth(const Vec2& raster) const override;
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override;
 
-  /// From now on keeps strong paths, with the grain of `sink`.
-  void keep_strong_for(const StrongPathSink& sink);
+  /// From now on keeps strong paths, above the threshold of `sink`.
+  void keep_strong_for(const OutlierSink& sink);
   /// Lets a sink have the strong paths found since the last call. Those seen by a camera ray are
   /// worth its filter weight, and as much more as there are fewer rays near the film's border.
-  void hand_over(StrongPathSink& sink, SampleSource& numbers);
+  void hand_over(OutlierSink& sink, SampleSource& numbers);
 
   void end_sample();
   void end_pixel(std::uint64_t samples) { tally_.end_pixel(static_cast<double>(samples)); }
@@ -91,9 +91,9 @@ class SampleSink final : public PathSink {
   Spectrum indirect_;
   Spectrum strong_light_;
   bool keeps_strong_ = false;
-  double grain_ = 0.0;  ///< of the strong paths
+  double outlier_threshold_ = 0.0;  ///< of the strong paths
   std::uint64_t origin_ = 0;
-  std::vector<StrongPath> strong_;
+  std::vector<OutlierPath> strong_;
 };
 
 }  // namespace ajar

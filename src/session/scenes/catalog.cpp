@@ -107,10 +107,8 @@ struct Parametrised {
 std::vector<Parametrised> parametrised(const std::string& kind) {
   std::vector<Parametrised> list;
   if (kind == "integrators") {
-    for (const auto* infos : {&integrators(), &integrator_presets()}) {
-      for (const IntegratorInfo& info : *infos) {
-        list.push_back({info.name, info.summary, info.source, info.parameters});
-      }
+    for (const IntegratorInfo& info : integrators()) {
+      list.push_back({info.name, info.summary, info.source, info.parameters});
     }
   } else if (const auto found = model_kinds().find(kind); found != model_kinds().end()) {
     for (const desc::Model* model : desc::models(found->second)) {
