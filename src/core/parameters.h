@@ -9,7 +9,7 @@
 
 namespace ajar {
 
-/// What comes after `Choice` is only for the nodes of a scene (`scene/desc/node.h`).
+/// Types after `Choice` are only for the nodes of a scene (`scene/desc/node.h`).
 enum class ParameterType {
   Bool,
   Int,
@@ -47,7 +47,7 @@ struct ParameterSpec {
   /// values: the name of that parameter, and the values.
   std::string depends_on = {};
   std::vector<std::string> matters_for = {};
-  /// Whether it matters while that parameter has this value.
+  /// True if this parameter has an effect while the other has this value.
   bool matters_with(const std::string& value) const;
   bool open_range = false;  ///< minimum and maximum themselves are not allowed
 };
@@ -85,7 +85,7 @@ class Parameters {
   bool matters(const ParameterSpec& spec) const {
     return spec.depends_on.empty() || spec.matters_with(get_text(spec.depends_on));
   }
-  /// What was not left at its default.
+  /// Parameters that were not left at their default.
   const std::map<std::string, std::string>& given() const { return given_; }
 
  private:

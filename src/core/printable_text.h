@@ -12,7 +12,8 @@ namespace ajar {
 /// "\u202e", bytes that are no UTF-8 as "\xff". A text that says "\x1b" by itself looks the same.
 std::string printable_text(std::string_view text);
 
-/// The same in one line, for names and cells of tables: line feeds and tabs as "\n" and "\t".
+/// As one line, for names and cells of tables: line feeds and tabs become "
+/// " and "\t".
 std::string printable_line(std::string_view text);
 
 /// `text` with U+FFFD in the place of every byte that is no UTF-8, for formats that are UTF-8.

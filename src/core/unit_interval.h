@@ -24,8 +24,8 @@ struct UnitInterval {
   }
 };
 
-/// Which of two ways a sample came, if they make it with densities (or probabilities) `first` and
-/// `second`, not both zero: true for the first. `u` decides, and is stretched to [0, 1) again.
+/// Chooses between two ways to sample with densities (or probabilities) `first` and `second`, not
+/// both zero: true for the first. `u` decides, and is remapped to [0, 1).
 inline bool came_first(double first, double second, float& u) {
   const double share = first / (first + second);
   const auto v = static_cast<double>(u);

@@ -11,8 +11,8 @@ namespace ajar {
 struct WarningDigest {
   /// One for each kind that can be seen in the picture, those with the most effect first.
   std::vector<std::string> lines;
-  /// What has no visible effect, and where to see all warnings one by one; empty if nothing is left
-  /// to say.
+  /// Number of warnings without visible effect, and where to see all one by one; empty if nothing
+  /// is left to say.
   std::string note;
 };
 

@@ -84,7 +84,7 @@ TEST(WarningDigest, LeavesOutNoKindHoweverManyThereAre) {
   add_kinds(Effect::Slight, 15);
   add_kinds(Effect::Surface, 5);
   add_kinds(Effect::Light, 3);
-  // What matters least shares a line.
+  // Warnings of the least effect share a line.
   Lines lines = digest(warnings, kScreen, "").lines;
   EXPECT_EQ(lines.size(), 9U);
   EXPECT_EQ(lines.front(), "a.pbrt:1:1: kind 20");
