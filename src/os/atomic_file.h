@@ -14,7 +14,7 @@ namespace ajar {
 /// shell) are written directly, but for named pipes: to open one may take for ever. Nothing else in
 /// the program writes files.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> content);
-/// The same for a file of several pieces, one after the other.
+/// Writes a file of several pieces, one after the other.
 void write_file_atomically(const std::filesystem::path& path,
                            std::span<const std::span<const std::byte>> pieces);
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);

@@ -24,7 +24,7 @@ std::optional<std::uint64_t> number_in(const std::string& path) {
   return file >> number ? std::optional(number) : std::nullopt;
 }
 
-/// What the kernel can give: free, or used for caches, or swap. Linux counts in KiB.
+/// Memory that the kernel can give: free, used for caches, or swap. Linux counts in KiB.
 std::optional<std::uint64_t> free_on_machine() {
   std::ifstream file("/proc/meminfo");
   std::optional<std::uint64_t> bytes;

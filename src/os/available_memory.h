@@ -12,8 +12,8 @@ std::uint64_t physical_memory_bytes();
 /// the process (`ulimit -v`); 0 if unknown.
 std::uint64_t available_memory_bytes();
 
-/// Whether `bytes` more are fewer than that, with a reserve for what estimates leave out. True if
-/// it is unknown what there is.
+/// True if `bytes` more fit, with a reserve for what estimates leave out, or if the available
+/// memory is unknown.
 bool fits_into_memory(std::uint64_t bytes, std::uint64_t available);
 
 /// "needs 12.9 GB of memory, and 3.2 GB are free here", for the end of a sentence; empty if `bytes`
