@@ -78,7 +78,7 @@ struct ConnectionSample {
   /// Emitted radiance (importance) toward the reference · G / pdf without the cosine at the
   /// reference: G = |cos θ at the endpoint| / d² for surfaces, 1/d² for points, 1 at infinity.
   Spectrum weight;
-  Pdf<VertexMeasure> pdf;  ///< of the endpoint, given the reference
+  Pdf<VertexMeasure> pdf;  ///< density of the endpoint, given the reference
 };
 
 /// Common interface of lights and cameras, so that subpaths from either end are the same code.

@@ -47,8 +47,8 @@ class Geometry {
   /// True if anything lies on `ray`, alpha and shadow alpha textures applied, or if the ray cannot
   /// be traced.
   bool occluded(const Ray& ray) const;
-  /// How the surface goes on around a hit; empty where it is not smooth: on curves that face the
-  /// ray, ribbons, and triangles without area. Of a triangle what is smooth is its inside.
+  /// Derivatives of the surface at a hit; empty where it is not smooth: on curves that face the
+  /// ray, ribbons, and triangles without area. Triangles are smooth inside.
   std::optional<SurfaceDerivatives> derivatives(const GeometryHit& hit) const;
   /// False if coordinates of `ray` are not numbers or so large that Embree must not be given them,
   /// in the world or in the space of an instance. Everything that Embree traces was asked here.

@@ -26,7 +26,8 @@ bool has_cutouts(const ShapeRecord& record, Purpose purpose) {
   return record.has_alpha() || (purpose == Purpose::Occlude && record.has_shadow_alpha());
 }
 
-/// Whether a hit in the world is farther from both ends of its ray than the test of triangles errs.
+/// True if a hit is farther from both ends of its ray than the error of the triangle test, in the
+/// world.
 bool is_clear_of_ends(const TriangleMesh& mesh, const RTCRay& ray, const RTCHit& hit, float t_max) {
   const Vec3 n(hit.Ng_x, hit.Ng_y, hit.Ng_z);
   const float slope = dot(n, {ray.dir_x, ray.dir_y, ray.dir_z});
@@ -97,9 +98,8 @@ void quadric_bounds(const RTCBoundsFunctionArguments* args) {
   }
 }
 
-/// Whether a root is the very point that a ray starts at, as far as double precision can tell from
-/// the size of the shape: all that is left of a large sphere where it touches the origin of the
-/// world.
+/// True if a root is the origin of the ray itself, as far as double precision can tell from the
+/// size of the shape: all that is left of a large sphere where it touches the origin of the world.
 bool is_own_start(const ShapeRecord& record, const LocalRay& ray, double t) {
   constexpr double kNear = 0x1p-20;
   constexpr double kRounding = 0x1p-46;

@@ -10,7 +10,7 @@
 #include "scene/shape/triangle_mesh.h"
 #include "scene/texture/texture.h"
 
-/// What lies behind `Geometry`: shared by its building, its queries and Embree's callbacks.
+/// Implementation of `Geometry`: shared by its building, its queries and Embree's callbacks.
 namespace ajar {
 
 /// One shape in its final place; exactly one of mesh, curve and quadric is set unless it was
@@ -24,12 +24,12 @@ struct ShapeRecord {
   TextureSlot shadow_alpha{Spectrum(1.F)};
   bool alpha_counted = false;  ///< hits where it is 0 are told instead of left out
   bool reversed = false;
-  bool derivatives = true;  ///< of hits are wanted
+  bool derivatives = true;  ///< compute derivatives of hits
   /// Hits of the triangles at the ends of a ray must be told from real ones.
   bool check_plane = false;
 
   bool present() const { return mesh || curve || quadric; }
-  /// Whether rays go on where it is 0 as if there were nothing.
+  /// True if rays pass where alpha is 0.
   bool has_alpha() const { return !alpha.is_constant() && !alpha_counted; }
   bool has_counted_alpha() const { return !alpha.is_constant() && alpha_counted; }
   bool has_shadow_alpha() const { return !shadow_alpha.is_constant() || shadow_alpha.is_black(); }

@@ -57,7 +57,7 @@ void add_distributions(std::vector<InverseCase>& all) {
   }
   const Distribution1D line(weights);
   all.push_back({"1-D distribution", 1, 0.0, [=](const InverseNumbers& u, const InverseNumbers& v) {
-                   // What is sampled is the cell; the place in it is forgotten.
+                   // Samples keep the cell only, not the place in it.
                    const std::size_t cell = line.choose(u[0]).index;
                    const float number = line.invert(cell, v[0]);
                    return std::optional(

@@ -29,7 +29,7 @@ struct SurfaceDerivatives;
 
 /// Settings that change how a scene is built.
 struct BuildOptions {
-  std::optional<Vec2i> resolution;  ///< of the full image, instead of the file's
+  std::optional<Vec2i> resolution;  ///< resolution of the full image, instead of the file's
 };
 
 /// An immutable scene, committed to Embree and shared by all threads. Nothing random in it.
@@ -46,12 +46,12 @@ class Scene {
   /// Nearest surface along `ray`, alpha textures applied; empty, too, if the ray cannot be traced.
   /// Interface materials are reported like any other.
   std::optional<Hit> intersect(const Ray& ray) const;
-  /// The same, into `hit`, which is undefined if this returns false.
+  /// Writes into `hit`, which is undefined if this returns false.
   bool intersect(const Ray& ray, Hit& hit) const;
   /// A hit that was found before, with what belongs to its shape; empty if there is no such shape.
   std::optional<Hit> recall(const GeometryHit& hit) const;
-  /// How the surface and its shading normal, that before bumps and normal maps, go on around a hit
-  /// (scene/surface_derivatives.h); empty where that is not known: see Geometry.
+  /// Derivatives of the surface and of its shading normal before bumps and normal maps
+  /// (scene/surface_derivatives.h); empty where they are unknown: see Geometry.
   std::optional<SurfaceDerivatives> derivatives(const Hit& hit) const;
   /// True if anything at all lies between (interfaces too; see `transmittance` of transport for
   /// those), or if the ray cannot be traced.
@@ -100,7 +100,7 @@ class Scene {
   const std::string& source() const { return source_; }
 
  private:
-  /// What a hit looks up by the index of its shape.
+  /// Surface data that a hit looks up by the index of its shape.
   struct Surface {
     const Material* material;
     const Light* light;

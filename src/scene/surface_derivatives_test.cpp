@@ -22,7 +22,7 @@ struct Case {
   desc::SceneDesc scene;
   Vec3 origin;
   Vec3 direction;
-  double tolerance;  ///< of what turns by one radian, or goes by one unit
+  double tolerance;  ///< tolerance per radian of rotation, or unit of length
 };
 
 /// A square whose normals lean outward.

@@ -46,8 +46,8 @@ inline Vec3 offset_ray_origin(const Vec3& p, const Vec3& ng, const Vec3& w) {
   return p + ng * (dot(ng, w) < 0.F ? -distance : distance);
 }
 
-/// Likewise the end at `p` of a ray that comes from `distance` away; `w` points back to where it
-/// comes from. Directions are rounded, and Embree's tests err, by some roundings of that distance.
+/// Offset end at `p` of a ray that comes from `distance` away; `w` points back to where it comes
+/// from. Directions are rounded, and Embree's tests err, by some roundings of that distance.
 inline Vec3 offset_ray_end(const Vec3& p, const Vec3& ng, const Vec3& w, float distance) {
   constexpr float kRoundings = 16.F;
   const float moved = kOffsetRoundings * rounding_along(p, ng) + kRoundings * kHalfUlp * distance;

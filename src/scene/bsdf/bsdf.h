@@ -11,15 +11,15 @@
 
 namespace ajar {
 
-/// Whether the density of the opposite direction is wanted, too.
+/// Selects whether the density of the opposite direction is computed, too.
 enum class Reverse : std::uint8_t { Compute, Skip };
 
 struct BsdfValue {
   Spectrum value;       ///< f · |cos θ| of the lobes that are not specular
-  Pdf<SolidAngle> pdf;  ///< of wi given wo
+  Pdf<SolidAngle> pdf;  ///< density of wi given wo
 };
 
-/// How a direction was scattered: a part of the path, beside the direction itself.
+/// Scattering event: a part of the path, beside the direction itself.
 struct ScatterEvent {
   static constexpr std::int8_t kRough = -1;
   /// Number of the specular lobe, or `kRough` for all others, which are told apart by nothing.
@@ -29,15 +29,15 @@ struct ScatterEvent {
   bool operator==(const ScatterEvent&) const = default;
 };
 
-/// Which lobes are to be inverted: all that are not specular, or only those that are diffuse.
+/// Lobes to invert: all that are not specular, or only the diffuse ones.
 enum class Inverted : std::uint8_t { Rough, Diffuse };
 
 struct BsdfSample {
-  Vec3 wi;          ///< unit, world space, points away from the surface
-  Spectrum weight;  ///< f · |cos θ| / pdf, adjoint corrections included
-  DirectionPdf
-      pdf;  ///< of wi given wo: of all lobes that are not specular, or of the one specular lobe
-  DirectionPdf reverse_pdf;  ///< of wo given wi, same lobes
+  Vec3 wi;           ///< unit, world space, points away from the surface
+  Spectrum weight;   ///< f · |cos θ| / pdf, adjoint corrections included
+  DirectionPdf pdf;  ///< density of wi given wo: of all lobes that are not specular, or of the one
+                     ///< specular lobe
+  DirectionPdf reverse_pdf;  ///< density of wo given wi, same lobes
   bool transmission = false;
   std::int8_t lobe = ScatterEvent::kRough;  ///< see ScatterEvent
   float eta = 1.F;  ///< index of refraction on wi's side over that on wo's; 1 unless refracted
@@ -64,9 +64,9 @@ struct BsdfSample {
 /// Diffuse lobes fill the whole hemisphere of ng. Lobes that depend on a half-vector scatter only
 /// pairs that ns sees on the same sides as ng does.
 ///
-/// Which lobes count as reflection or transmission is decided by the geometric normal, so that
-/// light never leaks through a surface. Directions within `kGrazing` of either normal's plane
-/// scatter nothing.
+/// The geometric normal decides which lobes count as reflection or transmission, so that light
+/// never leaks through a surface. Directions within `kGrazing` of either normal's plane scatter
+/// nothing.
 class Bsdf {
  public:
   static constexpr int kMaxLobes = 8;
@@ -108,10 +108,10 @@ class Bsdf {
   /// direction is not looked at.
   std::optional<BsdfUniforms> invert(const Vec3& wo, const Vec3& wi, ScatterEvent event,
                                      const BsdfUniforms& fresh) const;
-  /// What `sample` makes of `wo` by this specular event; empty if it never does.
+  /// Sample of `wo` by this specular event; empty if the event is impossible.
   std::optional<BsdfSample> specular(const Vec3& wo, ScatterEvent event, TransportMode mode) const;
 
-  /// Whether this event of going straight on adds nothing to the depth of a path.
+  /// True for straight transmission that does not count in the depth of a path.
   bool is_uncounted(ScatterEvent event) const;
 
   /// False if all lobes are specular (or there are none): connecting to this point is pointless.
@@ -150,7 +150,7 @@ class Bsdf {
 
   const Entry& entry(int index) const { return slots_[index].entry; }
   Pair classify(const Vec3& wo, const Vec3& wi) const;
-  /// How the choice among the lobes is made when light comes from `local_wo`.
+  /// Probabilities of the lobes for `local_wo`.
   Weights weights(const Vec3& local_wo) const;
   /// The lobe that `u` chooses, which is made a number for that lobe alone; none if it is
   /// impossible.

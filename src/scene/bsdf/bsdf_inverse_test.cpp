@@ -39,7 +39,8 @@ std::optional<double> stretch(const Bsdf& bsdf, const Vec3& wo, const BsdfUnifor
   return double{length(normal)};
 }
 
-/// The same; empty, too, where half the step has another answer, by curvature or by roundings.
+/// Derivative of the inverse; empty, too, where half the step has another answer, by curvature or
+/// by roundings.
 std::optional<double> stretch(const Bsdf& bsdf, const Vec3& wo, const BsdfUniforms& u) {
   const std::optional<double> wide = stretch(bsdf, wo, u, 1e-3F);
   const std::optional<double> narrow = stretch(bsdf, wo, u, 5e-4F);

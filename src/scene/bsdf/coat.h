@@ -11,7 +11,7 @@
 /// than comes in.
 namespace ajar {
 
-/// What is inside of a coat, seen from outside: `eta` ≥ 1 from either side.
+/// Fresnel term of the inside of a coat, seen from outside: `eta` ≥ 1 from either side.
 struct CoatFresnel {
   float eta = 1.5F;
   Spectrum operator()(float cos_i, bool /*front*/) const {
@@ -22,13 +22,14 @@ struct CoatFresnel {
 using RoughCoat = MicrofacetReflection<CoatFresnel>;
 using SmoothCoat = FresnelMirror<CoatFresnel>;
 
-/// How much light the facets of a rough coat let through to the base and back. Renderers differ.
+/// Transmittance of the facets of a rough coat to the base and back. Renderers differ.
 enum class CoatPass : std::uint8_t {
   Whole,     ///< all that they do not reflect
   Smooth,    ///< as much as a smooth coat does, or `Whole` where that is less
   Single,    ///< by `coat_table::refracted`; what is not goes back to the base
-  Lossy,     ///< the same, with what comes back by `coat_table::mean_reflected_inside`
-  LossySum,  ///< the same by `coat_table::sum_reflected_inside`
+  Lossy,     ///< all that they do not reflect, with internal reflection by
+             ///< `coat_table::mean_reflected_inside`
+  LossySum,  ///< all that they do not reflect, with `coat_table::sum_reflected_inside`
 };
 
 /// A coat as its base sees it.
@@ -91,7 +92,7 @@ class Coat {
   std::uint8_t bounces_ = 0;
 };
 
-/// How the medium of a coat weakens light.
+/// Absorption by the medium of a coat.
 struct CoatInside {
   Spectrum depth{0.F};  ///< optical thickness of the coat, along the normal
   /// As if the coat bent nothing, and only on the ways in and out (Tungsten's plastics).
@@ -154,8 +155,8 @@ inline Spectrum coated_reflectance(const Spectrum& metal, const Coat& coat, floa
 /// again. What leaves the metal at an angle at which the coat reflects all of it is lost.
 struct CoatedConductor {
   static constexpr bool kSpecular = false;
-  Microfacets facets;        ///< of the metal, with the blur of a rough coat
-  ConductorFresnel fresnel;  ///< of the metal relative to the coat
+  Microfacets facets;        ///< facets of the metal, with the blur of a rough coat
+  ConductorFresnel fresnel;  ///< index of the metal relative to the coat
   Coat coat;
 
   LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
@@ -255,7 +256,7 @@ struct Varnish {
 
   float left(const Vec3& wo, const Vec3& wi) const {
     if (share == 0.F) return 1.F;
-    // It lets through more where the cosine is larger.
+    // The larger cosine has the higher transmittance.
     return covered(coat().transmittance(std::min(std::abs(wo.z), std::abs(wi.z))));
   }
   float left_albedo(const Vec3& wo) const {

@@ -121,7 +121,7 @@ class VisibleFacets {
   struct Visible {
     Vec3 normal;
     float cosine;    ///< to `wo_`
-    float area;      ///< that `wo_` sees
+    float area;      ///< projected area visible from `wo_`
     float mirrored;  ///< share of what it mirrors that no other facet is in the way of
   };
 
@@ -229,7 +229,7 @@ class BoundaryTable {
                                  ? facets.reflected(1.F / kIndices[e])
                                  : fresnel_dielectric(cosine, 1.F / kIndices[e]).reflectance;
         sums[e] += share * static_cast<double>(cosine);
-        along_normal[e] = share;  // that of the last one
+        along_normal[e] = share;  // share of the last one
       }
     }
     for (std::size_t e = 0; e < kIndices.size(); ++e) {

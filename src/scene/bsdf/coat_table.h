@@ -26,8 +26,8 @@ float mean_refracted(const RoughBoundary& boundary);
 
 /// Share that is reflected back inside, of diffuse light from inside.
 float mean_reflected_inside(const RoughBoundary& boundary);
-/// The same as a sum over 64 evenly spaced cosines from 0 to 1 of which both ends count whole, as
-/// Mitsuba 3 has it (roughplastic); 1.6 % less.
+/// As a sum over 64 evenly spaced cosines from 0 to 1 of which both ends count whole, as Mitsuba 3
+/// has it (roughplastic); 1.6 % less.
 float sum_reflected_inside(const RoughBoundary& boundary);
 
 /// A smooth boundary, with rough mirrors inside that reflect all light: of light from this cosine
@@ -37,8 +37,8 @@ float sum_reflected_inside(const RoughBoundary& boundary);
 float returned(const RoughBoundary& below, float cosine);
 /// Its mean over a hemisphere of directions outside, weighted by their cosines.
 float mean_returned(const RoughBoundary& below);
-/// The same mirrors in diffuse light from inside: the share that they reflect to where the boundary
-/// lets it out, and to where it turns it back.
+/// Mirrors below the boundary in diffuse light from inside: the share that they reflect to where
+/// the boundary transmits it, and to where it reflects it back.
 struct DiffuseBelow {
   float leaves, returns;
 };

@@ -179,7 +179,7 @@ TEST(UnderVarnish, IsSeenThroughTheCoatWhereItIs) {
                              {PackedSpectrum(Spectrum(0.9F)), 1.F}};
   const Vec3 wo = direction(30.F, 0.F);
   const Vec3 wi = direction(50.F, 170.F);
-  // That at the flatter of the two directions.
+  // Transmittance at the flatter of the two directions.
   const float through = 1.F - fresnel_dielectric(wi.z, 1.5F).reflectance;
   const LobeValue bare = metal.evaluate(wo, wi, false, TransportMode::Radiance);
   const LobeValue under = UnderVarnish<DisneySpecular>{metal, {0.F, 0.4F}}.evaluate(

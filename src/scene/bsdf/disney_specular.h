@@ -20,7 +20,8 @@ struct DisneyFresnel {
   }
 };
 
-/// The same where light goes in: from within, there is only the share that is glass.
+/// Fresnel term of Disney's glass where light goes in: from within, there is only the share that is
+/// glass.
 struct DisneyGlassFresnel : DisneyFresnel {
   float glass = 1.F;
 

@@ -5,12 +5,12 @@
 
 namespace ajar {
 
-/// How the normals of microfacets are spread, and how they hide each other.
+/// Distribution of microfacet normals, and their masking function.
 enum class FacetModel : std::uint8_t {
   Ggx,                ///< Trowbridge–Reitz; height-correlated Smith masking
-  GgxSeparable,       ///< the same with G = G1·G1, as Disney's model has it
+  GgxSeparable,       ///< GGX with G = G1·G1, as Disney's model has it
   Beckmann,           ///< Gaussian slopes; height-correlated Smith masking
-  BeckmannSeparable,  ///< the same with G = G1·G1
+  BeckmannSeparable,  ///< Beckmann with G = G1·G1
 };
 
 /// Distribution of microfacet normals with roughness `alpha_x`, `alpha_y` along the local x and y

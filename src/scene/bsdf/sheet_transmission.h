@@ -3,7 +3,7 @@
 
 namespace ajar {
 
-/// What the boundary of a sheet lets through, the same from both sides.
+/// Transmittance of the boundary of a sheet, equal from both sides.
 struct SheetFresnel {
   float eta = 1.5F;  ///< index of the sheet over that around it
   Spectrum operator()(float cos_i, bool /*front*/) const {

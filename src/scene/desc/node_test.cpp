@@ -97,7 +97,7 @@ TEST(Node, SaysWhyAValueIsNone) {
             "\"weave\" of velvet must be one of plain, satin, not \"twill\"");
   EXPECT_EQ(error_of("scale", std::numeric_limits<float>::quiet_NaN()),
             "\"scale\" of velvet must be a finite number, not nan");
-  // Whoever reads a texture brings it into the range, and constants likewise.
+  // Readers of a texture clamp it to the range, and constants likewise.
   EXPECT_EQ(error_of("color", Vec3(7.F)), "");
 }
 

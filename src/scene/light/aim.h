@@ -16,7 +16,7 @@ namespace ajar {
 /// another lamp (docs/methods/light-sampling.md).
 class Aim {
  public:
-  /// Of a lamp that knows of no receivers: its own directions.
+  /// Directions of a lamp without receivers.
   Aim() = default;
   /// The sphere is around everything that does not emit.
   explicit Aim(const std::optional<BoundingSphere>& receivers) : receivers_(receivers) {}
@@ -73,7 +73,7 @@ class Aim {
       return (local.x * local.x + local.y * local.y) / (1.F + local.z);
     }
     float pdf(const Vec3& w) const {
-      // Whatever lies on the border by rounding misses the receivers.
+      // Rounding at the border counts as a miss of the receivers.
       constexpr float kRounding = 1e-3F;
       if (one_minus_cos_of(frame.to_local(w)) > one_minus_cos * (1.F + kRounding)) return 0.F;
       return warp::uniform_cone_pdf(one_minus_cos);

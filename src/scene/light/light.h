@@ -23,7 +23,7 @@ class Light : public Endpoint {
   virtual Spectrum power() const = 0;
   /// Where it is and where it shines; empty for lights at infinity.
   virtual std::optional<LightBounds> bounds() const { return std::nullopt; }
-  /// Of the surface it is on: points of it have `SurfacePoint::primitive` below that.
+  /// Number of primitives of its surface: points of it have `SurfacePoint::primitive` below that.
   virtual std::uint32_t primitives() const { return 1; }
   /// For lights at infinity that are not discrete: the vertex that a ray leaving the scene along
   /// unit `w` runs into.

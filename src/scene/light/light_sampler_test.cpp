@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing;
 
-/// Of any intensities, even those that no description can have.
+/// Point lights of any intensities, even those that no description can have.
 LightList point_lights(const std::vector<float>& intensities) {
   LightList lights;
   for (const float intensity : intensities) {

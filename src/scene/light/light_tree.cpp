@@ -25,9 +25,9 @@ float orientation_measure(const LightBounds& bounds) {
   return std::max(bounds.two_sided ? 2.F * measure : measure, 1e-4F);
 }
 
-/// What it costs to have lights of this power (in place of the intensity) under one node. The box
-/// enters by the square of its diagonal instead of its surface, because the importance takes it for
-/// a sphere and because lights in a row have a box without surface.
+/// Cost of a node with lights of this power (in place of the intensity). The box enters by the
+/// square of its diagonal instead of its surface, because the importance takes it for a sphere and
+/// because lights in a row have a box without surface.
 float cost(const LightBounds& bounds) {
   return bounds.intensity * orientation_measure(bounds) * length_squared(bounds.box.size());
 }
@@ -60,7 +60,7 @@ class LightTree::Builder {
   struct Part {
     LightBounds bounds;
     std::size_t children = kNone;  ///< the first of two, or kNone
-    std::uint32_t light = 0;       ///< of a leaf
+    std::uint32_t light = 0;       ///< index of the light of a leaf
   };
   struct Split {
     float cost = std::numeric_limits<float>::infinity();
@@ -267,7 +267,7 @@ LightTree::Lanes LightTree::shares(const Node& node, const Vec3& reference) {
   Lanes weights = importance(node, reference);
   // If no light below reaches the reference, the bounds above just could not tell.
   if (!(sum(weights) > 0.F)) weights = node.intensity;
-  // What is possible stays possible, although uniform numbers are rounded.
+  // Nonzero probabilities stay nonzero although uniform numbers are rounded.
   const Lanes least = (Lanes{} + 0x1p-22F) * sum(weights);
   weights = ((weights > 0.F) & (weights < least)) ? least : weights;
   return weights / sum(weights);

@@ -47,9 +47,9 @@ class LightTree {
   /// Bounds of up to four children, one per lane, in three cache lines. Missing children have no
   /// intensity.
   struct alignas(64) Node {
-    Lanes center[3];       ///< of spheres around the boxes
-    Lanes radius_squared;  ///< of these spheres: half the diagonals of the boxes
-    Lanes axis[3];         ///< of the normals
+    Lanes center[3];       ///< centres of spheres around the boxes
+    Lanes radius_squared;  ///< squared radii of these spheres: half the diagonals of the boxes
+    Lanes axis[3];         ///< mean axis of the normals
     Lanes intensity;       ///< mean over the directions it shines in, per power of the whole tree
     Lanes cos_normals;     ///< −1 for the whole sphere
     Lanes sin_normals;
@@ -71,7 +71,7 @@ class LightTree {
   std::vector<Node> nodes_;  ///< the root first
   /// By light: which child to take, from the lowest bits on.
   std::vector<std::uint64_t> trails_;
-  double power_ = 0.0;  ///< of all lights, W
+  double power_ = 0.0;  ///< power of all lights, W
 };
 
 }  // namespace ajar

@@ -7,8 +7,7 @@
 #include "scene/bsdf/microfacet.h"
 #include "scene/material/registry.h"
 
-/// What materials are made from, and how they read their textures: whatever a texture says, a lobe
-/// gets values it can work with.
+/// Inputs of materials; textures are clamped to values that lobes accept.
 namespace ajar {
 
 /// The description of one material, with what it refers to.
@@ -76,8 +75,8 @@ inline Spectrum coat_depth(const TextureSlot& slot, const SurfacePoint& at) {
 /// narrows to nothing, must be treated as smooth.
 inline bool index_matched(float eta) { return std::abs(eta - 1.F) < 1e-3F; }
 
-/// What the roughness of a material is: the microfacets' α, pbrt-v3's artist-friendly number, or
-/// α² as pbrt-v4 has it.
+/// Convention of a roughness parameter: the microfacets' α, pbrt-v3's artist-friendly number, or α²
+/// as pbrt-v4 has it.
 enum class RoughnessScale { Alpha, Log, Square };
 float microfacet_alpha(RoughnessScale scale, float roughness);
 
@@ -87,7 +86,7 @@ class RoughnessSlot {
   /// Reads the parameters of `roughness_inputs`, or of `isotropic_roughness_inputs` if the material
   /// has those.
   explicit RoughnessSlot(const MaterialInputs& inputs);
-  /// Of a layer with parameters of its own names; "roughness_scale" is common to all.
+  /// Roughness of a layer with parameters of its own names; "roughness_scale" is common to all.
   RoughnessSlot(const MaterialInputs& inputs, std::string_view name_u, std::string_view name_v);
   bool isotropic() const { return isotropic_; }
   /// True if it is the constant zero.

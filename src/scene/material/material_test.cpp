@@ -109,7 +109,7 @@ TEST(Materials, HaveDefaults) {
   EXPECT_EQ(f.warnings.count(), 0U);
 }
 
-/// What may stay without chains: of a mixture of diffuse materials nobody has asked it.
+/// Mixtures of diffuse materials do not claim to be diffuse.
 TEST(Materials, SayWhetherTheyAreDiffuse) {
   Fixture f;
   const auto smooth = f.add("diffuse");
@@ -225,8 +225,8 @@ TEST(Facets, HideEachOtherTogetherOrAlone) {
                                {"distribution", std::string(distribution)},
                                {"masking", std::string(masking)}});
   };
-  // Of the same directions, only the masking differs. Source: Heitz 2014, equations 23 and 99, with
-  // Λ of both directions alike.
+  // Equal directions; only the masking differs. Source: Heitz 2014, equations 23 and 99, with Λ of
+  // both directions alike.
   const Vec3 wo = direction(75.F, 0.F);
   const Vec3 wi = direction(75.F, 180.F);
   const auto expect_ratio = [&](const char* distribution, double lambda) {

@@ -27,7 +27,7 @@ class Principled final : public Material {
   static Blend blend_of(const std::string& name) {
     return name == "layered" ? Blend::Layered : name == "twice" ? Blend::Twice : Blend::Once;
   }
-  /// What is known of a point before its lobes are.
+  /// Data of a point that precede its lobes.
   struct Point {
     const SurfacePoint& at;
     Spectrum color;

@@ -34,7 +34,7 @@ TEST(Bump, OfNoHeightKeepsTheNormalsOfASmoothMesh) {
   round.ns = normalize(Vec3(0.3F, -0.2F, 1.F));
   const Ramp level(0.F);
   EXPECT_LT(length(bump_frame(TextureSlot(&level), round).ns - round.ns), 1e-6F);
-  // What of dp/du is along the shading plane goes up with the slope.
+  // The part of dp/du along the shading plane goes up with the slope.
   const Ramp ramp(0.5F);
   const Vec3 u = Vec3(1.F, 0.F, 0.F) - round.ns * round.ns.x;
   const Vec3 v = Vec3(0.F, 1.F, 0.F) - round.ns * round.ns.y;

@@ -34,7 +34,8 @@ const Spectrum kSigmaS(3.F, 1.F, 0.25F);
 const double kFirst[3] = {2.0, 2.0, 0.0};
 const double kSecond[3] = {3.0, 0.5, 6.5};
 
-/// Of a lane, clamped at the border: as the first point up to 1/4, as the second from 3/4 on.
+/// Extinction of a lane, clamped at the border: as the first point up to 1/4, as the second from
+/// 3/4 on.
 double extinction(int lane, double x) {
   const double t = std::clamp((x - 0.25) / 0.5, 0.0, 1.0);
   return kFirst[lane] + (kSecond[lane] - kFirst[lane]) * t;
@@ -113,7 +114,7 @@ TEST(ColorField, SamplesDistancesByTheMeanOfTheLanes) {
   }
   const boost::math::chi_squared_distribution<double> chi_squared(kBins);
   EXPECT_GT(boost::math::cdf(boost::math::complement(chi_squared, statistic)), 1e-4);
-  // What `Segment::distance_pdf` says, and survival, are all there is.
+  // `Segment::distance_pdf` and survival add up to one.
   double sum = survival(1.0);
   constexpr int kPoints = 1000;
   for (int i = 0; i < kPoints; ++i) {

@@ -26,8 +26,8 @@ class TriangleMesh {
 
   std::size_t triangle_count() const { return triangle_count_; }
   std::size_t vertex_count() const { return vertex_count_; }
-  /// Of vertex 0; the others follow every `position_stride` bytes, and 16 bytes may be read at each
-  /// of them.
+  /// Position of vertex 0; the others follow every `position_stride` bytes, and 16 bytes may be
+  /// read at each of them.
   const Vec3* positions() const { return positions_; }
   std::size_t position_stride() const { return stride_; }
   const Triangle* triangles() const { return triangles_; }
@@ -38,7 +38,7 @@ class TriangleMesh {
   Vec3d surface_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
     return find_point<true>(triangle, b1, b2, point);
   }
-  /// The same with all derivatives zero.
+  /// Surface point with all derivatives zero.
   Vec3d plain_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
     return find_point<false>(triangle, b1, b2, point);
   }
@@ -62,7 +62,7 @@ class TriangleMesh {
   double plane_distance(std::uint32_t triangle, const Vec3d& origin, const Vec3d& direction) const;
 
  private:
-  /// What a hit reads of a vertex, in one cache line.
+  /// Vertex data that a hit reads, in one cache line.
   struct alignas(32) Vertex {
     Vec3 p;
     Vec3 n;

@@ -9,7 +9,7 @@
 #include "scene/desc/models.h"
 #include "scene/material/material.h"
 
-/// What tests of materials are made of.
+/// Fixtures for tests of materials.
 namespace ajar::testing {
 
 class Constant final : public Texture {

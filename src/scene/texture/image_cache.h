@@ -27,7 +27,7 @@ struct TexelImage {
       texels;
 };
 
-/// What is taken of the channels of an image.
+/// Channels that are read from an image.
 enum class ImageChannel {
   Color,
   Red,
@@ -49,7 +49,7 @@ struct ImageRequest {
 /// Colours are not multiplied with alpha. Throws IoError with the reason.
 TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFiles& embedded = {});
 
-/// What an image will take in memory, as its file says.
+/// Memory that an image will take, by its file's header.
 struct ImageSize {
   std::uint64_t texels = 0;
   std::uint64_t bytes = 0;

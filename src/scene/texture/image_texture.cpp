@@ -67,11 +67,11 @@ Wrap wrap_of(const desc::Node& node) {
   return name == "black" ? Wrap::Black : name == "clamp" ? Wrap::Clamp : Wrap::Repeat;
 }
 
-/// How the colours of an image become one number.
+/// Conversion of an image's colours to one number.
 enum class Reduction {
-  None,       ///< they do not, but where a number is asked for: luminance as pbrt-v3 takes it
-  Mean,       ///< of the decoded values
-  Luminance,  ///< of the decoded values
+  None,       ///< colours stay; where a number is asked for: luminance as pbrt-v3 takes it
+  Mean,       ///< mean of the decoded values
+  Luminance,  ///< luminance of the decoded values
 };
 
 Reduction reduction_of(const desc::Node& node) {

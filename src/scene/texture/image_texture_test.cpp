@@ -389,7 +389,7 @@ TEST_F(ImageTextureTest, PrimariesOfTheirOwnAreAWarningForColours) {
     load_map(path, MapEdge::Clamp, {}, found);
     return found.count();
   };
-  // Of the texture, and of a light with the same file.
+  // One warning of the texture, and one of a light with the same file.
   EXPECT_EQ(warnings(wide, desc::texture_node("image")), 2U);
   EXPECT_EQ(warnings(usual, desc::texture_node("image")), 0U);
   // Normals and numbers have none.

@@ -85,7 +85,7 @@ TEST_F(TextureTest, MixWeighsWithItsAmount) {
   EXPECT_NEAR(texture.eval_float(at_uv(0.25F, 0.9F)), 0.75F, 1e-6F);
 }
 
-/// What building raises, or "no error".
+/// Error of building the scene, or "no error".
 std::string error_of(const desc::SceneDesc& scene) {
   Warnings warnings;
   try {
