@@ -33,7 +33,7 @@ class KeptDirections {
   /// not either.
   void place(const PathVertex& vertex, float u_lobe, SampleAddress address,
              SampleSource& source) const;
-  /// It was drawn.
+  /// Records a sampled direction.
   void note(const PathVertex& vertex, float u_lobe, const Vec3& wi);
   /// The subpath traced since `begin`, if there is one, is the current one from now on.
   void accept();

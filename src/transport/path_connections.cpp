@@ -38,7 +38,7 @@ bool PathSampler::is_tried(double count, const Pair& pair, SampleSource& source)
 float PathSampler::cull(const Spectrum& contribution, float worth, const Pair& pair,
                         SampleSource& source) {
   const float survival = contribution.max() * worth;
-  if (!(survival < 1.F)) return 1.F;  // what is not a number is not swept away
+  if (!(survival < 1.F)) return 1.F;  // NaN is not culled
   return source.get(pair.address(kConnectionCull)) < survival ? 1.F / survival : 0.F;
 }
 

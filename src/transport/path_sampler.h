@@ -23,7 +23,7 @@ struct Contribution {
   /// Technique (0, t) only: no edge of the path could have been made by a connection, since one end
   /// of each scatters by a specular lobe.
   bool hit_only = false;
-  int light_subpath = 0;  ///< which of the sample's, if s ≥ 2
+  int light_subpath = 0;  ///< index of the sample's light subpath, if s ≥ 2
   /// Technique (s, 1) only: where on the film it lands. All others belong to the camera ray's own
   /// place.
   Vec2 raster{0.F, 0.F};
@@ -39,10 +39,10 @@ class PathSink {
  public:
   virtual ~PathSink() = default;
   virtual void add(const Contribution& contribution) = 0;
-  /// Whether light traced to this raster position would count at all.
+  /// True if light traced to this raster position counts.
   virtual bool reaches(const Vec2& /*raster*/) const { return true; }
-  /// How many rays one unit of light (largest lane) is worth that lands at this raster position.
-  /// Connections that are worth less than a ray are traced by chance only, in proportion.
+  /// Rays that one unit of light (largest lane) is worth at this raster position. Connections worth
+  /// less than a ray are subject to Russian roulette in proportion.
   virtual float worth(const Vec2& /*raster*/) const {
     return std::numeric_limits<float>::infinity();
   }
@@ -107,7 +107,7 @@ class PathSampler {
   /// The last of the `vertices` − 1 ≥ 1 vertices that a light subpath has in the scene; false if it
   /// does not get there, or cannot be connected.
   bool trace_light_half(SampleSource& source, int vertices, PathVertex& end, PathSink* told);
-  /// The same for a camera subpath.
+  /// Traces a camera subpath.
   bool trace_camera_half(SampleSource& source, const Vec2& raster, int vertices, PathVertex& end,
                          PathSink* told);
   /// Technique (s ≥ 1, t ≥ 1): a half of a single vertex is the endpoint alone, its `end` unused.
@@ -135,10 +135,10 @@ class PathSampler {
   bool next_light_vertex(LightStart& start, SampleSource& source, PathSink& sink,
                          PathVertex& vertex);
   bool start_camera(SampleSource& source, const Vec2& raster, PathSink& sink, Flight& flight);
-  /// Whether the camera looks past lights where this flight ended.
+  /// True if the camera looks past lights where this flight ended.
   static bool hides(const Flight& flight, const SegmentEnd& end);
-  /// Whether the depth that counts of a path with this technique, whose parts have this surplus, is
-  /// one that is wanted.
+  /// True if the counted depth of a path with this technique, whose parts have this surplus, is
+  /// enabled.
   bool counts(Technique technique, int surplus) const {
     return settings_.counted.holds(technique.depth() + surplus);
   }
@@ -165,12 +165,12 @@ class PathSampler {
   void connect_to_camera(const PathVertex& vertex, SampleSource& source, PathSink& sink);
   void connect_inner(const PathVertex& camera_vertex, const PathVertex& light_vertex,
                      SampleSource& source, PathSink& sink);
-  /// Who a connection is between, as its random numbers' address knows it.
+  /// Endpoints of a connection, for addressing its random numbers.
   struct Pair {
     int light_edges;
     int camera_edges;
     int repeat;
-    int surplus;  ///< of both
+    int surplus;  ///< surplus of both
     SampleAddress address(Slot slot) const {
       return {Stream::Connection, light_edges % 256 * 256 + camera_edges % 256, slot, repeat};
     }
@@ -215,7 +215,7 @@ class PathSampler {
   /// h(count) of the techniques of each class, if they are all alike.
   ByTechniqueClass<double> class_h_count_;
   bool light_tracing_reaches_ = false;  ///< the current camera path's place on the film
-  float worth_ = std::numeric_limits<float>::infinity();  ///< of light there
+  float worth_ = std::numeric_limits<float>::infinity();  ///< rays per unit of light there
   std::vector<PathVertex> light_vertices_;
   std::size_t light_vertex_count_ = 0;
   std::vector<MisTrailEntry> camera_trail_;  // these two only for sets that name single techniques

@@ -14,7 +14,7 @@ const Medium* medium_beyond(const Hit& hit, const Vec3& direction, const Medium*
   return dot(direction, hit.point.ng) > 0.F ? hit.media->outside : hit.media->inside;
 }
 
-/// Whether nothing scatters a ray at this hit.
+/// True if nothing scatters a ray at this hit.
 bool is_passed(const Hit& hit, const Ray& ray) {
   return hit.cut_away || hit.is_interface() || (ray.passes_lights && hit.light != nullptr);
 }
@@ -31,7 +31,7 @@ void cross_medium(const Medium* medium, const Ray& ray, float distance, Segment&
   if (medium != nullptr) cross_depth(*medium, medium->along(ray, distance).depth, segment);
 }
 
-/// Whether a ray that met nothing was not traced at all, which is counted.
+/// Counts rays that could not be traced; true for such a ray.
 bool was_lost(const Scene& scene, const Ray& ray, RayCounts& rays) {
   if (scene.can_trace(ray)) return false;
   ++rays.rays_out_of_range;

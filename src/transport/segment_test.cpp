@@ -66,7 +66,7 @@ struct TwoNumbers final : SampleSource {
   Vec2 numbers;
 };
 
-/// Of the cube around the ball and more, denser to one side and empty in a corner.
+/// Smoke in a box larger than the cube around the ball, denser to one side and empty in a corner.
 desc::Density smoke() {
   desc::DensityGrid grid{{3, 2, 3}, {}, desc::DensityGrid::Points::Centers, {}};
   for (int i = 0; i < 18; ++i) grid.values.push_back(i < 3 ? 0.F : 0.1F * static_cast<float>(i));

@@ -11,9 +11,9 @@ namespace ajar {
 /// sequence per pixel; the light's from one sequence for the whole image, since light subpaths
 /// belong to no pixel.
 struct SampleIdentity {
-  std::uint64_t camera_seed;   ///< of the pixel and replicate
+  std::uint64_t camera_seed;   ///< seed of the pixel and replicate
   std::uint32_t camera_index;  ///< within the pixel
-  std::uint64_t light_seed;    ///< of the replicate
+  std::uint64_t light_seed;    ///< seed of the replicate
   std::uint32_t light_index;   ///< within the image
 };
 
@@ -97,7 +97,7 @@ class SobolSource final : public SampleSource {
 
   SampleIdentity identity_;
   IndependentSource independent_;
-  std::array<Block, 2> blocks_;  // of the camera, and of the light
+  std::array<Block, 2> blocks_;  // blocks of the camera, and of the light
 };
 
 }  // namespace ajar

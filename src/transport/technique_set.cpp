@@ -74,7 +74,7 @@ TechniqueSet::Rule parse_pair(const std::string& item, const std::string& name, 
   return rule;
 }
 
-/// What a count may be depends on what there is to try again.
+/// Counts are allowed only where a technique can be tried again.
 void check_count(const std::string& item, TechniqueClass kind, double count) {
   if (kind == TechniqueClass::Implicit && count != 1.0) {
     reject(item, "cannot have a count: a camera path runs into lights by itself");
