@@ -21,7 +21,7 @@ class PathPrimaries final : public SampleSource {
   void set(SampleAddress address, float number);
   void set_pair(SampleAddress address, const Vec2& numbers);
 
-  /// Of vertex `vertex` of a subpath.
+  /// Primary numbers of vertex `vertex` of a subpath.
   using Block = std::array<float, static_cast<std::size_t>(Slot::kCount)>;
   const std::vector<Block>& blocks(Stream stream) const {
     return stream == Stream::Light ? light_ : camera_;

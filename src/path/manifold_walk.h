@@ -8,11 +8,11 @@
 
 namespace ajar {
 
-/// What the rays of a chain set off from: a vertex of a path.
+/// Start of a specular chain: a vertex of a path.
 struct ChainStart {
   ChainEnd end;
   const InnerVertex* vertex = nullptr;  ///< null: an endpoint
-  Vec3 ng{0.F};                         ///< of an endpoint; 0 without a surface
+  Vec3 ng{0.F};                         ///< geometric normal of an endpoint; 0 without a surface
   const Medium* medium = nullptr;       ///< around an endpoint
 };
 /// Vertex `x` < k of `path`, which must outlive it.
@@ -20,9 +20,9 @@ ChainStart chain_start(const Path& path, int x);
 /// A point of a light.
 ChainStart chain_start(const Light& light, const EndpointPoint& point);
 
-/// How far from `place` rays toward it set off: at the start of a chain, or where the scene begins
-/// if that is nearer, as rays are as inexact as they are long. Negative for a place that lies yet
-/// farther from the scene.
+/// Distance from `place` to the origin of rays toward it: the start of the chain, or the border of
+/// the scene if that is nearer, as the error of rays grows with their length. Negative for a place
+/// that lies yet farther from the scene.
 double way_in(const Scene& scene, const ChainEnd& start, const Vec3d& place);
 
 /// Moves the end b of a specular chain a, s₁ … sₙ, b to another place while a stays, by Newton's
@@ -76,9 +76,9 @@ class ManifoldWalk {
   Ray ray_;  ///< from the last of these
   const Medium* medium_ = nullptr;
   std::optional<Vec3> landing_;
-  std::span<const OffsetNormal> offsets_;  ///< of the walk that is on
+  std::span<const OffsetNormal> offsets_;  ///< offset normals of the current walk
   Vec3d miss_{0.0};  ///< from where a chain ends to the target, across the last ray
-  /// Of the edges from s₁ on, and of what rays cross before it if a is a point.
+  /// Length of the edges from s₁ on, and of the part that rays cross before it if a is a point.
   double length_ = 0.0;
   double uncertainty_ = 0.0;
   RayCounts rays_;

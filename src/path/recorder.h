@@ -41,13 +41,13 @@ class PathRecorder : public PathSink {
   std::uint64_t lost() const { return lost_; }
 
  protected:
-  /// Whether a path is to be made of it: what is not wanted costs no ray.
+  /// True if a path is to be recorded; others cost no ray.
   virtual bool wants(const Contribution& /*contribution*/) { return true; }
   /// `path` is overwritten by the next one.
   virtual void record(const Path& path, const Contribution& contribution) = 0;
   const Scene& scene() const { return scene_; }
   const PathSamplerSettings& settings() const { return settings_; }
-  /// Of the camera subpath.
+  /// Raster position of the camera subpath.
   const Vec2& raster() const { return raster_; }
 
  private:

@@ -21,11 +21,11 @@ namespace {
 struct Case {
   std::string name;
   std::vector<desc::Shape> shapes;
-  std::vector<bool> transmissions;  ///< of the events
+  std::vector<bool> transmissions;  ///< one per event
   double eta = 1.5;
   Vec3 start{0.3F, -0.2F, 4.F};
   Vec3 direction{-0.06F, 0.09F, -1.F};
-  std::vector<OffsetNormal> offsets = {};  ///< of rough surfaces; none if they are smooth
+  std::vector<OffsetNormal> offsets = {};  ///< offsets of rough surfaces; none if they are smooth
 };
 
 /// Triangles over [−2, 2]² whose normals are those of waves.
@@ -102,7 +102,7 @@ std::unique_ptr<Scene> scene_of(const Case& c) {
   return std::make_unique<Scene>(description_of(c), BuildOptions{}, warnings);
 }
 
-/// What a ray does: its vertices, and the ray that leaves the last of them.
+/// A traced ray: its vertices, and the ray that leaves the last of them.
 struct Traced {
   std::vector<InnerVertex> vertices;
   Vec3d last;
@@ -317,7 +317,7 @@ TEST(ManifoldWalk, ComesToAChainThatASearchFindsAndBack) {
     const auto scene = scene_of(c);
     const auto from = trace(*scene, c, Vec3d(c.direction));
     ASSERT_TRUE(from);
-    // Of a ball, before its focus: beyond there are several chains, and walks may come to any.
+    // Before the focus of a ball: beyond there are several chains, and walks may converge to any.
     const Vec3d old_end = from->last + from->w * 0.3;
     ChainStart start;
     start.end = {Vec3d(c.start)};
