@@ -27,26 +27,26 @@ struct Candidate {
 /// One of the moves that a kernel mixes.
 struct Move {
   std::string_view name;  ///< for statistics
-  /// Whether its candidates are independent samples of density 1, whatever the current state is
+  /// True if its candidates are independent samples of density 1, whatever the current state is
   /// (large steps of primary sample space).
   bool independent = false;
 };
 
-/// What became of the walk of a move that walks to its proposal.
+/// Outcome of a manifold walk to a proposal.
 enum class WalkEnd : std::uint8_t {
-  None,    ///< it was not tried, or led there and back
-  Lost,    ///< it did not arrive
+  None,    ///< not tried, or there and back
+  Lost,    ///< did not arrive
   OneWay,  ///< one from the proposal did not come back to the current state
 };
 
-/// What one step proposes: one state, or several of which one at most becomes the next.
+/// Proposal of a step: one state, or several of which one at most becomes the next.
 struct Proposal {
   std::optional<std::size_t> move;  ///< in `Kernel::moves`; empty if none was for the state
   std::span<const Candidate> candidates;
-  std::uint64_t rays = 0;  ///< that it took; 0 where kernels do not know
+  std::uint64_t rays = 0;  ///< rays traced; 0 where kernels do not count them
   WalkEnd walk = WalkEnd::None;
-  /// Whether it is refused as the density with which it was made is 0 or no number, or as that of
-  /// the way back is no number: a mistake, or a rounding at the ends of a reach.
+  /// True if it is rejected because its density is 0 or NaN, or the reverse density is NaN: a
+  /// mistake, or a rounding at the ends of a reach.
   bool without_density = false;
 };
 
@@ -63,7 +63,7 @@ class Kernel {
   virtual std::span<const Move> moves() const = 0;
   /// Independent candidates per step, on average.
   virtual double independent_candidates() const { return 0.0; }
-  /// Of the current state.
+  /// Splats of the current state.
   virtual std::span<const Splat> current() const = 0;
   /// A step. `key` names its randomness. The candidates are the kernel's until its next function is
   /// called.

@@ -22,7 +22,7 @@ class CausticPerturbation final : public PathMutation {
   const RayCounts& ray_counts() const override { return rays_; }
 
  private:
-  /// Of the direction, or place, in which vertex `from` of the path sends light.
+  /// Perturbation of the direction, or place, in which vertex `from` of the path sends light.
   PerturbationLaw law(const Path& path, int from) const;
   bool set_off(const Path& x, int from, const Vec2& u);
 

@@ -37,8 +37,8 @@ class GrowingPath {
   /// lens; then only the image itself can be looked at.
   bool finish(Path& path);
 
-  /// The same by a specular chain between the ends, in the order from the light; both have vertices
-  /// of the scene, or an endpoint at the light. All edges of the chain have to be open.
+  /// Joins the ends by a specular chain, in the order from the light; both have vertices of the
+  /// scene, or an endpoint at the light. All edges of the chain have to be open.
   bool finish_through(std::span<const InnerVertex> chain, Path& path);
 
   RayCounts ray_counts() const;
@@ -49,7 +49,7 @@ class GrowingPath {
  private:
   /// Where on the camera it is seen from; the light end has vertices.
   bool look_at_light_end();
-  /// What they scatter by at their last vertices is open; false if one cannot be joined there.
+  /// Leaves the scattering events of the last vertices open; false if one cannot be joined there.
   bool stop_ends();
   void assemble(Path& path) const;
 

@@ -20,7 +20,7 @@ namespace {
 /// By how much a ray from a light may miss where it is meant to pass: far from the origin, and from
 /// where those come that come from beyond the scene, this is more than the tolerance of walks.
 double rounding_of_rays(const Scene& scene, const ChainEnd& light, const Vec3& end) {
-  constexpr double kRounding = 1e-6;  // of coordinates: 16 times half an ulp
+  constexpr double kRounding = 1e-6;  // rounding of coordinates: 16 times half an ulp
   const auto size = [](const Vec3d& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   };
@@ -72,7 +72,7 @@ class KnownChain {
   bool is_clear(double share) const {
     return shortest_ > 0.0 && 2.0 * uncertainty_ <= share * shortest_;
   }
-  /// Whether a walk came to it.
+  /// True if a walk arrived at it.
   bool is(const ManifoldWalk& walk) const {
     const auto other = walk.vertices();
     if (other.size() != chain_.size() || walk.is_mirrored() != is_mirrored_) return false;
@@ -120,7 +120,7 @@ bool ManifoldConnection::find(const Ends& ends, std::uint64_t key) {
   if (!walk_.set_off(start, choose_place(ends, source), ends.most, source)) return false;
   auto guess = walk_.vertices();
   if (ends.seen.in_medium) {
-    // It may be between any two of them.
+    // The connection may be between any two of them.
     const float u = source.get({Stream::Light, 0, Slot::Roulette});
     guess = guess.first(1 + static_cast<std::size_t>(u * static_cast<float>(guess.size())));
   }

@@ -46,7 +46,7 @@ class ManifoldSeeds {
   /// w₀: what that weight would be, as against `tries` of this, if the chain were certain to be
   /// found. A function of the path alone.
   static double least_hit_share(const Scene& scene, const Path& path, double tries);
-  /// Whether this can find the path.
+  /// True if this can find the path.
   static bool finds(const Scene& scene, const Path& path);
 
   RayCounts ray_counts() const;

@@ -41,10 +41,10 @@ class PathKernel final : public Kernel {
   RayCounts ray_counts() const;
 
  private:
-  /// What is known of a path as long as it is a state.
+  /// Data of a path that is a state.
   struct State {
     double log_light = 0.0;  ///< ln f*, times `PathWeight`
-    double weight = 0.0;     ///< of all suitable mutations
+    double weight = 0.0;     ///< total weight of all suitable mutations
   };
   double suitable_weight(const Path& path) const;
   /// The mutation that a step from the current path tries; null if none is for it.
@@ -60,8 +60,8 @@ class PathKernel final : public Kernel {
   PathChain* chain_ = nullptr;
   State current_;
   State proposed_;
-  SplatBuffer splats_;  ///< of the current one
-  Path path_;           ///< that is proposed
+  SplatBuffer splats_;  ///< splats of the current path
+  Path path_;           ///< the proposal
   /// The one that was chosen last, in `moves_`.
   std::optional<std::size_t> move_;
   bool without_density_ = false;

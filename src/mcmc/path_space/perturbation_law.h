@@ -48,7 +48,7 @@ struct PerturbationLaw {
   }
 };
 
-/// Of raster positions, for the size of the image.
+/// Perturbation of raster positions, for the size of the image.
 PerturbationLaw raster_law(const Vec2i& pixels);
 
 /// Between unit vectors; exact for small ones.

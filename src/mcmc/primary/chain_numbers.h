@@ -13,7 +13,7 @@
 
 namespace ajar {
 
-/// How many vertices of each stream have numbers; `Stream::Connection` has one.
+/// Number of vertices of each stream that have numbers; `Stream::Connection` has one.
 struct PrimaryShape {
   int camera_vertices = 1;
   int light_vertices = 1;
@@ -96,8 +96,8 @@ class ChainNumbers {
     }
   }
 
-  /// Whether a chain can have these after so many steps: all are numbers in [0, 1), and no time is
-  /// later than the steps can have made it.
+  /// True if a chain can have these after so many steps: all are numbers in [0, 1), and no time is
+  /// later than the steps allow.
   bool can_be_after(std::uint64_t steps) const;
 
   /// Everything this object occupies, the heap included.

@@ -51,7 +51,7 @@ class ChainSource final : public SampleSource {
   void start(bool uses_raster, float step_scale);
   /// After a step was accepted; 1 unless a published `PlaneMoves` adapts it.
   float step_scale() const { return step_scale_; }
-  /// Whether the current state places itself by the raster numbers.
+  /// True if the current state uses the raster numbers for its position.
   bool uses_raster() const { return current_uses_raster_; }
 
   /// Starts a step of `numbers`, which must stay where it is until the step is accepted or
@@ -114,19 +114,19 @@ class ChainSource final : public SampleSource {
   void follow_plane(std::span<float, kBlockSize> numbers, const Undo& undo, std::uint64_t key);
   void move_raster_alone();
   void set_step_scale(float scale);
-  /// Of the step, in steps of the mutation.
+  /// Length of the step, in steps of the mutation.
   double length() const { return static_cast<double>(units_) / kStepUnits; }
 
   const Mutation& mutation_;
   StepSizes default_sizes_;
   StepSizes sizes_;                  ///< times the step scale
-  StepSizes::Scales raster_scales_;  ///< of steps of the raster numbers alone
+  StepSizes::Scales raster_scales_;  ///< sizes of steps of the raster numbers alone
   float step_scale_ = 1.F;
   const PlaneMoves* plane_;
   bool current_uses_raster_ = false;
-  RasterUse raster_use_;             ///< of the proposal
-  double raster_log_ratio_ = 0.0;    ///< of moves in the plane
-  double replaced_log_ratio_ = 0.0;  ///< of numbers that were replaced
+  RasterUse raster_use_;             ///< use by the proposal
+  double raster_log_ratio_ = 0.0;    ///< log ratio of moves in the plane
+  double replaced_log_ratio_ = 0.0;  ///< log ratio of numbers that were replaced
   std::vector<Undo> undo_;
   ChainNumbers* numbers_ = nullptr;
   bool large_ = false;
@@ -144,7 +144,7 @@ class ChainSource final : public SampleSource {
 class ReplaySource final : public SampleSource {
  public:
   explicit ReplaySource(const ChainNumbers& numbers) : numbers_(numbers) {}
-  /// Whether the state places itself by the raster numbers.
+  /// True if the state uses the raster numbers for its position.
   bool uses_raster() const { return raster_use_.used(); }
   float get(SampleAddress address) override {
     const Vec2 pair = get_pair(address);

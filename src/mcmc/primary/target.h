@@ -5,7 +5,7 @@
 
 namespace ajar {
 
-/// What a chain samples from: a function of the primary vector. Used by one thread.
+/// Target function of a chain: a function of the primary vector. Used by one thread.
 class Target {
  public:
   virtual ~Target() = default;
