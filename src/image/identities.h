@@ -21,16 +21,16 @@ class IdentityLayers {
 
   IdentityLayers(const Film& film, const std::string& name);
   bool empty() const { return layers_[0] < 0; }
-  /// What sample `sample` of a pixel saw: a number from 1, 0 for nothing; exact up to 2^24 − 2.
-  /// Samples after the first nine are not kept.
+  /// Records the identity that sample `sample` of a pixel saw: from 1, 0 for nothing; exact up to
+  /// 2^24 − 2.
   void add(Film& film, Vec2i pixel, std::uint64_t sample, std::uint32_t number) const;
 
-  /// What a pixel's samples saw; only those of them that were taken are `known`.
+  /// Identities that a pixel's samples saw; only those of samples taken are `known`.
   struct Votes {
     std::array<std::uint32_t, kSamples> numbers{};
     std::array<bool, kSamples> known{};
   };
-  /// Of all pixels, row by row.
+  /// Votes of all pixels, row by row.
   std::vector<Votes> votes(const Film& film) const;
 
  private:

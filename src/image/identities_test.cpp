@@ -23,7 +23,7 @@ Film make_film(std::initializer_list<const char*> names) {
               4, specs);
 }
 
-/// What the samples of a pixel saw, in order.
+/// Identities that the samples of a pixel saw, in order.
 void add(Film& film, const std::string& name, Vec2i pixel, const std::vector<unsigned>& numbers) {
   const IdentityLayers layers(film, name);
   for (std::size_t i = 0; i < numbers.size(); ++i) layers.add(film, pixel, i, numbers[i]);

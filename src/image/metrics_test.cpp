@@ -57,7 +57,7 @@ TEST(Metrics, TrimmingWithOneChannelDropsValues) {
 TEST(Metrics, QuantileIsThatOfThePixels) {
   std::vector<float> image(3 * 2001, 1.F);
   const std::vector<float> reference(image.size(), 1.F);
-  // Of 2001 errors it is number 1998, counted from 0: two are above it.
+  // Sorted error number 1998 of 2001, counted from 0: two are above it.
   image[3 * 17] = 4.F;
   image[3 * 18] = 4.F;
   image[3 * 900] = 2.F;

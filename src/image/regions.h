@@ -8,8 +8,8 @@
 
 namespace ajar {
 
-/// What a pixel shows: numbers of a shape and of its material as in the layers "object-id" and
-/// "material-id", from 1; 0 is "nothing there".
+/// Shape and material seen by a pixel: numbers as in the layers "object-id" and "material-id", from
+/// 1; 0 is "nothing there".
 struct PixelIdentity {
   std::uint32_t object = 0;
   std::uint32_t material = 0;
@@ -20,8 +20,8 @@ struct PixelIdentity {
 struct Regions {
   Vec2i size{0, 0};
   std::vector<std::uint32_t> labels;        ///< region of each pixel, row by row
-  std::vector<PixelIdentity> identities;    ///< what each region shows
-  std::vector<std::uint32_t> pixel_counts;  ///< of each region; above 0
+  std::vector<PixelIdentity> identities;    ///< identity of each region
+  std::vector<std::uint32_t> pixel_counts;  ///< size of each region; above 0
   std::size_t count() const { return identities.size(); }
 };
 

@@ -207,7 +207,7 @@ TEST(RelativeError, ByScaleIsTrueForNoiseAndForClumps) {
     }
     // A picture has 48 clumps, so the mean of 16 ratios has a standard error of about 0.05.
     for (const double ratio : ratios) EXPECT_NEAR(ratio, 1.0, 0.15);
-    // What is independent falls with the scale, what hangs together stays up to its size.
+    // Independent errors fall with the scale, correlated ones stay up to its size.
     EXPECT_EQ(estimated[2] < 0.4 * estimated[0], spoil == noisy);
     EXPECT_EQ(estimated[2] > 0.6 * estimated[0], spoil == clumpy);
   }

@@ -21,7 +21,7 @@ constexpr double kMost = 1e17;
 float square(float value) { return value * value; }
 float gray(const float* rgb) { return (rgb[0] + rgb[1] + rgb[2]) / 3.F; }
 
-/// Of the mean of some numbers.
+/// Mean of some numbers and its standard error.
 struct Spread {
   float mean;
   float variance;
@@ -99,7 +99,7 @@ class TruthGuess {
     return all;
   }
 
-  /// Of two, the lower.
+  /// Lower median of an even number.
   std::vector<float> medians() const {
     std::vector<float> all(kChannels * pixels());
     std::vector<float> values(count_);
@@ -137,7 +137,7 @@ class TruthGuess {
     return most;
   }
 
-  /// Of all replicates but one, if there is one of that number.
+  /// Mean over all replicates but one, if there is one of that number.
   Spread spread_of(std::size_t pixel, std::size_t without) const {
     const auto n = static_cast<float>(without < count_ ? count_ - 1 : count_);
     float mean = 0.F;
@@ -162,7 +162,7 @@ class TruthGuess {
     return row;
   }
 
-  /// Of the pixels of a row, the 3×3 around each, compared with those around another.
+  /// Differences of the 3×3 patches around the pixels of a row from those around others.
   class PatchRow {
    public:
     explicit PatchRow(int width)
@@ -171,7 +171,7 @@ class TruthGuess {
       std::fill(difference_.begin(), difference_.end(), 0.F);
       std::fill(expected_.begin(), expected_.end(), 0.F);
     }
-    /// Of the columns of three pixels; those outside of the picture, at -1 and the width, are 0.
+    /// Sums over columns of three pixels; those outside of the picture, at -1 and the width, are 0.
     float* difference() { return difference_.data() + 1; }
     float* expected() { return expected_.data() + 1; }
     bool look_the_same(int x) const {
@@ -216,7 +216,7 @@ class TruthGuess {
   std::vector<float> noise_;  ///< variances of the patterns
 };
 
-/// How much brighter a picture is than a guess of it: each pixel relative to its guess, so that
+/// Ratio of a picture's brightness to a smoothed one's: each pixel relative to the latter, so that
 /// lamps do not decide.
 double gain_over(std::span<const float> guess, std::span<const float> picture) {
   const double level = median_lit(guess);
@@ -238,7 +238,7 @@ class BrightEdges {
   BrightEdges(const std::vector<bool>& quiet, std::span<const float> picture, Vec2i size)
       : quiet_(quiet), picture_(picture), size_(size) {}
 
-  /// What a value is at least.
+  /// Lower bound of a value.
   float least(int x, int y, std::size_t channel) const {
     float most = 0.F;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size_.y - 1); ++v) {

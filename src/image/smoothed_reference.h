@@ -6,10 +6,9 @@
 
 namespace ajar {
 
-/// What each value of a picture of `size` pixels (3 values each, rows from the top) would be
-/// without noise, as far as its replicates tell. It serves as a denominator of errors: there the
-/// picture itself would not do, since a pixel that is too bright by chance has both a large error
-/// and a large value.
+/// Estimate of each value of a noise-free picture of `size` pixels (3 values each, rows from the
+/// top), from its replicates. It is a denominator of errors: the picture itself would not do, since
+/// a pixel that is too bright by chance has both a large error and a large value.
 ///
 /// Pixels of which replicates disagree are averaged with those around, in five rounds whose
 /// neighbours lie 1, 2, 4, 8 and 16 pixels away (the à-trous scheme of Dammertz et al. 2010), as
