@@ -4,7 +4,7 @@
 #include "core/vector.h"
 #include "image/tone_curve.h"
 
-/// How much a picture should be brightened for the eye, and how much of it is lost.
+/// Exposure of a picture for display, and how much of it is clipped.
 namespace ajar {
 
 /// The most stops that a picture may be brightened or darkened by.
@@ -20,7 +20,7 @@ inline constexpr float kMostStops = 64.F;
 /// et al. 2002, for the key of 0.18; the rest is ours.
 float fitting_exposure(std::span<const float> rgb, Vec2i size);
 
-/// What of a picture shows nothing, by the luminance of its pixels; shares of them.
+/// Shares of a picture's pixels that are clipped, by luminance.
 struct Clipping {
   double white = 0.0;  ///< as bright as white: 255 of 255
   double black = 0.0;  ///< too dark to tell from black: at most 6 of 255

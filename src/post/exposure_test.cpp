@@ -44,7 +44,7 @@ TEST(Exposure, IsNotDecidedByFireflies) {
 }
 
 TEST(Exposure, OfNoiseIsThatOfTheLightItStandsFor) {
-  // What most samples miss one in fifty finds.
+  // Light of one pixel in fifty, which most samples miss, is found.
   const auto rgb = picture([](int x, int y) { return (x + 7 * y) % 50 == 0 ? 9.F : 0.F; });
   EXPECT_NEAR(exposure_of(rgb), 0.F, 0.2F);
 }

@@ -49,9 +49,9 @@ std::vector<float> finite_values(std::span<const float> values);
 /// Names of what `--denoise` takes.
 std::span<const std::string> denoiser_names();
 
-/// Of a name: null for "none"; "auto" is "oidn" where that is found, else "builtin". Raises
+/// Denoiser by name: null for "none"; "auto" is "oidn" where that is found, else "builtin". Raises
 /// UsageError for other names, and for "oidn" where it is not found, saying how to get it. `note`:
-/// what is to be said once where "auto" does not find it.
+/// a remark if "auto" does not find it.
 std::shared_ptr<const Denoiser> find_denoiser(const std::string& name, std::string* note = nullptr);
 
 }  // namespace ajar

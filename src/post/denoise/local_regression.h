@@ -6,13 +6,13 @@
 
 namespace ajar {
 
-/// What a local regression looks at; all planes of one size.
+/// Inputs of a local regression; all planes of one size.
 struct RegressionInput {
-  const std::vector<Plane>& colour;  ///< what is filtered: three channels
+  const std::vector<Plane>& colour;  ///< filtered values: three channels
   const std::vector<Plane>& guide;   ///< tells which pixels are alike: three channels
   const std::vector<Plane>&
-      variance;  ///< of each value of the guide, without that of pixels around
-  const std::vector<Plane>& features;  ///< what light follows, without noise; none or six
+      variance;  ///< variance of each value of the guide, without that of pixels around
+  const std::vector<Plane>& features;  ///< noise-free regressors; none or six
 };
 
 /// A picture in which each pixel is what a linear model says there: of the features and of the

@@ -9,8 +9,8 @@ namespace ajar {
 /// A picture made by something that may be wrong, such as a filter: RGB interleaved, row by row.
 struct BiasedEstimate {
   std::vector<float> pixels;
-  Replicates replicates;  ///< the same made of each replicate alone; at least four
-  /// What they were made of, if that may lack light which the unbiased replicates have; else empty.
+  Replicates replicates;  ///< estimates of each replicate alone; at least four
+  /// Input of the estimates, if it may lack light which the unbiased replicates have; else empty.
   Replicates found{};
 };
 
@@ -21,7 +21,7 @@ struct MixedEstimate {
   /// large as it is around.
   std::vector<float> error;
   std::vector<std::vector<float>>
-      shares;  ///< of each estimate, one value for each pixel; they sum to 1
+      shares;  ///< weights of each estimate, one value for each pixel; they sum to 1
 };
 
 /// Mixes estimates in inverse proportion to the squares of their squared errors, patch by patch:

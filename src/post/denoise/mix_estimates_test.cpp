@@ -99,8 +99,8 @@ TEST(MixEstimates, TakesLittleOfWhatMissesLight) {
   EXPECT_LT(mean_of(mix_estimates(kMixedSize, {dark, noise}, replicates).shares[0]), 0.45);
 }
 
-/// What would make a mixture with the unfiltered picture consistent: with less noise the share of a
-/// filter that is wrong falls faster than the variance.
+/// Condition for a consistent mixture with the unfiltered picture: with less noise the weight of a
+/// biased filter falls faster than the variance.
 TEST(MixEstimates, LosesBiasAsNoiseFalls) {
   const double some = mean_of(mixture_of(stripes(), 0.4F).shares[0]);
   const double less = mean_of(mixture_of(stripes(), 0.1F).shares[0]);
