@@ -13,24 +13,24 @@ namespace ajar {
 
 /// The film's layer of what ordinary Monte Carlo leaves in the picture of divided light.
 inline const std::string kWeakLayer = "indirect-weak";
-/// What it finds of the rest, which chains make: another estimate of their layer.
+/// The film's layer of what it finds of the chains' part: another estimate of their layer.
 inline const std::string kStrongLayer = "indirect-strong";
 
-/// How the long paths of a pixel are divided.
+/// Division of the long paths of a pixel.
 struct PixelShare {
   /// T: of what a technique brings, chains make the part above, in the units of radiance ·
   /// importance. 0: all of it.
   float threshold = 0.F;
   /// σ, by which the chains' target is multiplied. 0 leaves everything to ordinary Monte Carlo.
   float target = 1.F;
-  /// What the picture takes from chains instead of σ: the same, unless one method alone makes a
-  /// pixel. 0 where σ is 0.
+  /// Scale of the chains' deposits in the picture, in place of σ: equal to it, unless one method
+  /// alone makes a pixel.
   float kept = 1.F;
 };
 
-/// How ordinary Monte Carlo and Markov chains share the light of long paths, path by path: the
-/// estimator of `selective`, in five lines. x₁ … x_n are what camera samples find, y₁ … y_N the
-/// states of chains:
+/// Division of the light of long paths between ordinary Monte Carlo and Markov chains, path by
+/// path: the estimator of `selective`, in five lines. x₁ … x_n are the paths of camera samples, y₁
+/// … y_N the states of chains:
 ///
 ///     g(x) = luminance(F(x)) · importance         of F = f/p · MIS weight, as a technique finds it
 ///     w(x) = σ · g / (T + g)                      the chains' part
@@ -71,10 +71,10 @@ class Division final : public PathPart {
   }
   /// g / (T + g).
   static float above(float strength, float threshold) {
-    // What is infinite or not a number is for whoever adds it up to discard.
+    // Infinity and NaN are discarded by the caller.
     return strength > 0.F ? 1.F / (1.F + threshold / strength) : 0.F;
   }
-  /// What chains sample of a contribution that lands on `raster`.
+  /// Part of a contribution that lands on `raster` in the chains' target.
   float chain_share(const Contribution& contribution, const Vec2& raster) const {
     return divides(contribution.technique) ? chain_share(strength(contribution, raster), raster)
                                            : 0.F;
@@ -115,7 +115,7 @@ class Division final : public PathPart {
     const PixelShare& share = at(raster);
     return share.target > 0.F ? share.kept / share.target : 0.F;
   }
-  /// Whether the picture takes nothing from chains anywhere.
+  /// True if the picture takes nothing from chains anywhere.
   bool takes_nothing() const {
     return std::all_of(shares_.begin(), shares_.end(),
                        [](const PixelShare& share) { return share.kept == 0.F; });

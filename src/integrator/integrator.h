@@ -23,9 +23,9 @@
 
 namespace ajar {
 
-/// What every integrator is told.
+/// Settings of every integrator.
 struct RenderSettings {
-  Vec2i resolution{0, 0};  ///< of the full image
+  Vec2i resolution{0, 0};  ///< size of the full image
   Box2i crop;              ///< pixels to render, min and max inclusive
   int min_depth = 1;       ///< path edges (docs/methods/notation.md)
   int max_depth = 100;
@@ -33,9 +33,9 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   int replicates = 4;
   std::vector<std::string> aovs;  ///< extra layers asked for
-  /// Whether filters of noise will be fed: what chains make is then also estimated by independent
-  /// samples, where there are any (`LayerSpec::instead_of`), and splats are kept as a filter of one
-  /// pixel's box has them, too (`LayerSpec::box_of`).
+  /// True if auxiliary buffers and unbiased estimates for denoisers are needed: the chains' light
+  /// is then also estimated by independent samples, where there are any (`LayerSpec::instead_of`),
+  /// and splats are also kept with a box filter of one pixel (`LayerSpec::box_of`).
   bool for_filters = false;
 };
 
@@ -66,8 +66,8 @@ static_assert(sizeof(EventCounts) == kEventCounts.size() * sizeof(std::uint64_t)
 
 /// Counts of every integrator; summed over threads by the job.
 struct Counters : EventCounts {
-  TechniqueShares techniques;  ///< what each technique brought
-  /// What to say about the first discarded contribution of an item: enough to replay it.
+  TechniqueShares techniques;  ///< light and variance of each technique
+  /// Description of the first discarded contribution of an item: enough to replay it.
   std::string first_discarded;
   Counters& operator+=(const Counters& other);
 };
@@ -76,25 +76,25 @@ struct Counters : EventCounts {
 struct PreparationRound {
   std::uint64_t items = 0;
   double effort = 1.0;
-  double later_effort = 0.0;  ///< of the rounds after it
-  double later_stays = 0.0;   ///< of that, what becomes part of the picture
-  bool stays = false;         ///< what it renders becomes part of the picture
-  /// What it finds serves the render even if none of the later rounds runs.
+  double later_effort = 0.0;  ///< effort of the rounds after it
+  double later_stays = 0.0;   ///< part of `later_effort` whose samples are kept
+  bool stays = false;         ///< its samples are kept in the picture
+  /// True if its result is of use even if none of the later rounds runs.
   bool serves_alone = false;
   /// Effort of one sample per pixel of the render. 0: however few there are, the preparation comes
   /// to its end, since without it another method would render than was asked for.
   double sample_effort = 0.0;
 };
 
-/// Of what a render had too little for its whole preparation.
+/// Reason why the preparation was cut short.
 enum class Shortage : bool { Time, Samples };
 
-/// What a method knows since its preparation.
+/// Results of the preparation.
 struct Findings {
-  std::vector<Warning> concerns;   ///< what the user should know; of no place
-  std::vector<std::string> notes;  ///< what the user may like to know beside
-  /// Whether there is light that it cannot see, however long it renders: then replicates know too
-  /// little of the error.
+  std::vector<Warning> concerns;   ///< for the user; without a place in a file
+  std::vector<std::string> notes;  ///< further remarks for the user
+  /// True if there is light that it cannot sample, however long it renders: then replicates
+  /// underestimate the error.
   bool misses_light = false;
   /// Pictures about the render, of one channel over the crop: those AOVs that are not sums of
   /// samples.
@@ -119,9 +119,9 @@ class Integrator {
   /// well as it can without. Called once a round has begun, of which any items may have run; the
   /// picture depends on the number of the round only.
   virtual void skip_preparation(Shortage /*of*/) {}
-  /// What the preparation has seen of the picture: RGB in the film's unit, row by row of the crop;
-  /// empty if there is nothing to look at, or nothing new since this was asked last. Asked between
-  /// the rounds of the preparation. For the eye only: none of it need be in the picture.
+  /// Preview of the picture during the preparation: RGB in the film's unit, row by row of the crop;
+  /// empty if there is none, or nothing new since the last call. Called between the rounds of the
+  /// preparation. For the eye only: none of it need be in the picture.
   virtual std::vector<float> take_first_look() { return {}; }
   virtual Findings findings() const { return {}; }
 
@@ -146,15 +146,15 @@ class Integrator {
   /// samples` per pixel, to the film.
   virtual void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples,
                         Film& film, Counters& counters) = 0;
-  /// Whether an item of a pass is of Markov chains: statistics tell their time apart.
+  /// True for an item of Markov chains, whose time statistics show apart.
   virtual bool is_of_chains(std::uint64_t /*item*/) const { return false; }
-  /// What turns the sums of a layer into pixel values after `samples` samples per pixel over all
+  /// Scale from the sums of a layer to pixel values after `samples` samples per pixel over all
   /// replicates, for one replicate or all.
   virtual DevelopScale develop_scale(const LayerSpec& layer, std::uint64_t samples,
                                      std::optional<int> replicate) const = 0;
 
-  /// Whether items leave anything behind for later passes. Only methods whose items do not can be
-  /// cut into shares that are rendered each by itself.
+  /// True if items keep state for later passes. Only methods without can be cut into slices that
+  /// are rendered each by itself.
   virtual bool keeps_state() const { return false; }
   /// Between passes, after the preparation: writes what the items have left behind; and takes it
   /// back, in an integrator that was made and prepared in the same way. Then rendering goes on with
@@ -173,7 +173,7 @@ class Integrator {
   /// preparation. An estimate.
   virtual std::uint64_t memory_bytes() const { return 0; }
 
-  /// How it fares, between passes.
+  /// Report of the run, between passes.
   virtual MethodReport report() const;
 };
 
@@ -189,7 +189,7 @@ struct IntegratorInfo {
   std::function<std::map<std::string, std::string>(std::map<std::string, std::string>)> complete =
       nullptr;
 
-  /// What `make` is to be called with. Raises UsageError as `Parameters` does.
+  /// Parameters for `make`. Raises UsageError as `Parameters` does.
   Parameters read(const std::map<std::string, std::string>& given) const {
     return {parameters, complete ? complete(given) : given};
   }
@@ -208,7 +208,7 @@ const std::vector<AovInfo>& aovs();
 const std::vector<IntegratorInfo>& integrators();
 /// Settings of theirs that tables call by names of their own.
 const std::vector<IntegratorInfo>& integrator_presets();
-/// Of either kind. Raises UsageError with the nearest name.
+/// Integrator of either kind. Raises UsageError with the nearest name.
 const IntegratorInfo& find_integrator(const std::string& name);
 
 }  // namespace ajar

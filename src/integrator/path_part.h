@@ -4,17 +4,17 @@
 
 namespace ajar {
 
-/// What Markov chains make of each path, where others make the rest.
+/// Part of each path that Markov chains make, where others make the rest.
 class PathPart {
  public:
   PathPart() = default;
   virtual ~PathPart() = default;
-  /// What multiplies a contribution that lands on `raster` in the target of the chains.
+  /// Factor of a contribution that lands on `raster` in the target of the chains.
   virtual float share(const Contribution& contribution, const Vec2& raster) const = 0;
-  /// The same for what a technique brings, MIS weight in it, without what is owed to chance: its
-  /// luminance.
+  /// Factor for a technique's contribution, with its MIS weight and without its roulette weight:
+  /// its luminance.
   virtual float share(Technique technique, float light, const Vec2& raster) const = 0;
-  /// What multiplies the indirect light that they deposit there.
+  /// Factor of the indirect light that they deposit there.
   virtual float kept(const Vec2& raster) const = 0;
 
  protected:

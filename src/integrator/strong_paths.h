@@ -10,7 +10,7 @@
 
 namespace ajar {
 
-/// What ordinary Monte Carlo leaves to chains of one path that it found.
+/// Part of one sampled path that ordinary Monte Carlo leaves to chains.
 struct StrongPath {
   Technique technique;
   Vec2 raster;
@@ -19,9 +19,9 @@ struct StrongPath {
   Spectrum value;        ///< the chains' share, as it would be splatted
   double energy;         ///< luminance · importance of it; below 0 in negative lobes of a filter
   std::uint64_t sample;  ///< names the camera sample and the light subpath that found it
-  /// Which of the sample's light subpaths, if s ≥ 2. Not kept: the path's numbers are.
+  /// Index of the sample's light subpath, if s ≥ 2. Not saved: the path's numbers are.
   int light_subpath = 0;
-  bool hit_only = false;  ///< of `Contribution`
+  bool hit_only = false;  ///< as in `Contribution`
   /// Names the randomness of what is done with it.
   std::uint64_t key() const {
     return hash_numbers(sample, static_cast<std::uint64_t>(technique.s),
@@ -29,8 +29,8 @@ struct StrongPath {
   }
 };
 
-/// Of what carries less than `grain`, some are drawn by lot, and stand for the others. Returns by
-/// what it is to be multiplied then: 0 if the lot is lost. `key` names the randomness.
+/// Russian roulette below `grain`; returns the survivor's weight, 0 if terminated. `key` names the
+/// randomness.
 inline double draw_lot(double carried, double grain, std::uint64_t key) {
   carried = std::abs(carried);
   if (carried >= grain) return 1.0;
@@ -42,7 +42,7 @@ inline double draw_lot(double carried, double grain, std::uint64_t key) {
 class StrongPathSink {
  public:
   virtual ~StrongPathSink() = default;
-  /// It wants only some of the paths that carry less energy (`draw_lot`); constant.
+  /// Threshold of the energy below which paths are subject to roulette (`draw_lot`); constant.
   virtual double grain() const { return 0.0; }
   /// `numbers`: those that the path was made of. Returns false if chains cannot make the path; what
   /// `path` is then is to be splatted.

@@ -7,16 +7,15 @@
 
 namespace ajar {
 
-/// What single techniques brought to a render: how much light, and how much of its variance.
-/// Summable. Techniques of longer subpaths than `kMaxVertices` are kept together as (s, t) =
-/// (kMaxVertices + 1, kMaxVertices + 1).
+/// Light and variance of single techniques in a render. Summable. Techniques of longer subpaths
+/// than `kMaxVertices` are kept together as (s, t) = (kMaxVertices + 1, kMaxVertices + 1).
 class TechniqueShares {
  public:
   static constexpr int kMaxVertices = 16;
   struct Share {
     Technique technique;
-    double light;     ///< of the picture's light, between 0 and 1
-    double variance;  ///< of the sum of the techniques' variances; correlations not counted
+    double light;     ///< share of the picture's light, between 0 and 1
+    double variance;  ///< share of the sum of the techniques' variances; correlations not counted
   };
 
   /// `light`: sum of luminances; `variance`: sum over pixels of the variance of one sample, times

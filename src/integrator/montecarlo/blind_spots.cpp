@@ -62,7 +62,7 @@ class ClearSink final : public PathSink {
   std::vector<Landing> landings;
 
  private:
-  int vertices_ = 0;  ///< of the subpath that is on
+  int vertices_ = 0;  ///< length of the current subpath
   bool all_clear_ = true;
   const Endpoint* lamp_ = nullptr;
 };

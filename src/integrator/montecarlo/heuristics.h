@@ -12,13 +12,14 @@ struct MonteCarloHeuristics {
   /// Unit: pixels across. Range: >= 1. Source: docs/notebook/selective.md, "Where camera samples
   /// go"; half and double not measured.
   static constexpr int kRateCell = 4;
-  /// What a few samples say of noise is not believed beyond this, nor below one over it.
-  /// Unit: rate over the mean rate. Range: >= 1. Source: docs/notebook/selective.md, "Constants".
+  /// Bound of the rates that a few samples suggest, above and below (its inverse). Unit: rate over
+  /// the mean rate. Range: >= 1. Source: docs/notebook/selective.md, "Constants".
   static constexpr double kMostRate = 8.0;
 
   // -------------------------------------------------------- scale of a picture
   //
-  // It sets the unit of sums, and, as the median of means, what weak connections are (`cull`).
+  // Groups for the median of means: it sets the unit of sums, and the scale of weak connections
+  // (`cull`).
 
   /// Groups of camera samples of which means are taken.
   /// Unit: groups. Range: >= 1. Source: c7b4e5f; set by hand, no study.

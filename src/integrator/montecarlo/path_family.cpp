@@ -141,8 +141,8 @@ class PathIntegrator final : public Integrator {
             .light_index = static_cast<std::uint32_t>(number)};
   }
 
-  /// Of a light subpath that belongs to no camera path; it makes its connections by numbers of its
-  /// own, too.
+  /// Identity of a light subpath that belongs to no camera path; it makes its connections by
+  /// numbers of its own, too.
   SampleIdentity light_identity(std::uint64_t replicate, std::uint64_t light_number) const {
     const std::uint64_t seed = light_seed(replicate, light_number);
     const auto index = static_cast<std::uint32_t>(light_number);

@@ -6,8 +6,8 @@
 
 namespace ajar {
 
-/// What a ray of ordinary Monte Carlo has to bring, for efficiency-aware Russian roulette (after
-/// Rath et al. 2022, "EARS").
+/// Contribution below which a ray of ordinary Monte Carlo is not worth tracing, for
+/// efficiency-aware Russian roulette (after Rath et al. 2022, "EARS").
 ///
 /// With variance V and C rays per camera sample, the error after a given time follows V · C. A ray
 /// that brings v, traced with probability q, adds v²/q to V and q to C, so that V · C is smallest
@@ -22,7 +22,7 @@ class RayPrice {
   RayPrice(const ImportanceMap& importance, double price, double rest)
       : importance_(&importance), price_(price), rest_(rest) {}
 
-  /// How many rays one unit of light is worth that lands there.
+  /// Rays that one unit of light is worth there.
   float worth(const Vec2& raster) const {
     return (*importance_)(raster) / static_cast<float>(price_);
   }

@@ -10,11 +10,10 @@
 
 namespace ajar {
 
-/// How many camera samples ordinary Monte Carlo has where: one per pixel and sample of the picture
-/// on average, more where there is more noise. A pixel's rate r is the number it has on average,
-/// and each weighs 1/r, so that every sample of the picture stands for the whole of it, whatever
-/// the rates were: they may follow from samples that stay, and change between passes, without
-/// biasing anything.
+/// Distribution of camera samples over pixels: one per pixel and sample of the picture on average,
+/// more where there is more noise. A pixel's rate r is its mean number of samples, and each weighs
+/// 1/r, so that every sample of the picture covers the whole of it. The rates may depend on samples
+/// that are kept, and change between passes, without bias.
 ///
 /// In each replicate a pixel has k · r of them after k, rounded up or down: where it starts to
 /// count is random, so that this is right on average. That alone would be noise of up to one
@@ -32,19 +31,19 @@ class SampleRates {
     std::uint64_t last;  ///< not one of them any more
     float weight;        ///< 1/r
   };
-  /// Those that belong to number `round` of the picture's samples in a replicate; not before the
-  /// last `adjust`.
+  /// Camera samples of number `round` of the picture's samples in a replicate; not before the last
+  /// `adjust`.
   Batch batch(Vec2i pixel, std::uint64_t replicate, std::uint64_t round) const;
-  /// What light that is traced along with all camera samples, to land anywhere, weighs.
+  /// Weight of light subpaths, traced along with all camera samples, that may land anywhere.
   float light_weight() const { return light_weight_; }
 
-  /// What camera samples bring to a pixel, as far as is known.
+  /// Control variate: the estimated light of a pixel's camera samples.
   struct Guess {
     Spectrum direct;
     Spectrum indirect;
   };
   Guess guess(Vec2i pixel) const;
-  /// Of all pixels: 3 floats each, row by row; empty if black.
+  /// Control variates of all pixels: 3 floats each, row by row; empty if black.
   struct Guesses {
     std::vector<float> direct;
     std::vector<float> indirect;
@@ -84,8 +83,8 @@ class SampleRates {
   std::uint64_t since_ = 0;  ///< the picture's samples in a replicate
   float light_weight_ = 1.F;
   std::vector<Cell> grid_;
-  std::vector<double> pixels_;  ///< of each cell
-  std::vector<float> starts_;   ///< of each pixel, row by row, in the first replicate
+  std::vector<double> pixels_;  ///< pixels of each cell
+  std::vector<float> starts_;   ///< start of each pixel, row by row, in the first replicate
   Guesses guesses_;
 };
 

@@ -89,7 +89,7 @@ TEST(SampleRates, AreOneOnAverage) {
 }
 
 TEST(SampleRates, HaveWhatIsLeftOfNoiseInSamplesOfUnevenWeight) {
-  // What n samples of the picture leave is the sum of their variances over n².
+  // Variance after n samples of the picture: the sum of their variances over n².
   SampleRates rates = rates_for(two_halves);
   const auto later = row_by_row([&](int x, int y) {
     const auto after = static_cast<double>(4 * kFirst);

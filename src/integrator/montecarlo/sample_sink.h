@@ -69,7 +69,7 @@ class SampleSink final : public PathSink {
 
   Film& film_;
   const Divisions* divisions_;
-  const Division* division_ = nullptr;  ///< of the replicate
+  const Division* division_ = nullptr;  ///< division of the replicate
   const RayPrice* price_;
   float worth_;
   Layers layers_;
@@ -86,12 +86,12 @@ class SampleSink final : public PathSink {
   float light_weight_ = 1.F;
   SampleRates::Guess guess_;
   std::uint64_t sample_ = 0;
-  bool sees_something_ = false;  ///< whether the camera ray of this sample has met anything
+  bool sees_something_ = false;  ///< the camera ray of this sample has met something
   Spectrum direct_;
   Spectrum indirect_;
   Spectrum strong_light_;
   bool keeps_strong_ = false;
-  double grain_ = 0.0;  ///< of the strong paths
+  double grain_ = 0.0;  ///< roulette threshold of the strong paths
   std::uint64_t origin_ = 0;
   std::vector<StrongPath> strong_;
 };

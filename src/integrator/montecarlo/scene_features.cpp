@@ -39,7 +39,7 @@ Spectrum sky(const Scene& scene, const Vec3& direction) {
   return radiance;
 }
 
-/// What a surface shows of itself: its light where it has any.
+/// Look of a surface: its emission where it has any, else its albedo.
 Spectrum look_of(const PathVertex& vertex, const Hit& hit) {
   const Spectrum emitted =
       hit.light == nullptr ? Spectrum(0.F) : hit.light->emitted({hit.point, Vec3(0.F)}, vertex.wo);
