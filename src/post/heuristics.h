@@ -70,15 +70,15 @@ struct PostHeuristics {
   /// A pixel counts at most as so much light as those around it.
   /// Unit: their mean. Range: >= 2. Source: docs/notebook/denoising.md.
   static constexpr float kBrightestPixel = 10.F;
-  /// Neighbourhood of that mean. Unit: pixels to either side. Range: [1, 8]. Source:
-  /// docs/notebook/denoising.md.
+  /// Neighbourhood of that mean.
+  /// Unit: pixels to either side. Range: [1, 8]. Source: docs/notebook/denoising.md.
   static constexpr int kAroundPixel = 3;
   /// Patch over which a finer picture is compared with a coarser one.
   /// Unit: pixels of the coarser one to either side. Range: [1, 16]. Source:
   /// docs/notebook/denoising.md.
   static constexpr int kScalePatch = 5;
-  /// Confidence required to prefer the finer one. Unit: standard errors. Range: >= 0. Source:
-  /// docs/notebook/denoising.md.
+  /// Confidence required to prefer the finer one.
+  /// Unit: standard errors. Range: >= 0. Source: docs/notebook/denoising.md.
   static constexpr float kScaleDoubt = 2.F;
 };
 

@@ -12,8 +12,8 @@ struct MonteCarloHeuristics {
   /// Unit: pixels across. Range: >= 1. Source: docs/notebook/selective.md, "Where camera samples
   /// go"; half and double not measured.
   static constexpr int kRateCell = 4;
-  /// Bound of the rates that a few samples suggest, above and below (its inverse). Unit: rate over
-  /// the mean rate. Range: >= 1. Source: docs/notebook/selective.md, "Constants".
+  /// Bound of the rates that a few samples suggest, above and below (its inverse).
+  /// Unit: rate over the mean rate. Range: >= 1. Source: docs/notebook/selective.md, "Constants".
   static constexpr double kMostRate = 8.0;
 
   // -------------------------------------------------------- scale of a picture

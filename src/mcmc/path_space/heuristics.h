@@ -8,25 +8,27 @@ namespace ajar {
 /// and `kClear`: too large, they take one chain for another, and detailed balance, or the weight of
 /// a seed, fails where they do.
 struct PathSpaceHeuristics {
-  /// Probability of a bidirectional mutation to replace the whole path. Unit: probability. Range:
-  /// (0, 1). Source: docs/notebook/mutations.md, "Half and double of other numbers": double may be
-  /// a twentieth better.
+  /// Probability of a bidirectional mutation to replace the whole path.
+  /// Unit: probability. Range: (0, 1). Source: docs/notebook/mutations.md, "Half and double of
+  /// other numbers": double may be a twentieth better.
   static constexpr double kWholePath = 0.1;
-  /// Weight of replacing no vertex, only an edge; r > 1 vertices have 2^−(r+1). Unit: weight.
-  /// Range: > 0. Source: Veach 1997, 11.4.2.1.
+  /// Weight of replacing no vertex, only an edge; r > 1 vertices have 2^−(r+1).
+  /// Unit: weight. Range: > 0. Source: Veach 1997, 11.4.2.1.
   static constexpr double kNoVertex = 0.25;
-  /// Weight of replacing one vertex. Unit: weight, as above. Range: > 0. Source: Veach 1997,
-  /// 11.4.2.1.
+  /// Weight of replacing one vertex.
+  /// Unit: weight, as above. Range: > 0. Source: Veach 1997, 11.4.2.1.
   static constexpr double kOneVertex = 0.5;
-  /// Weight of keeping the depth. Unit: weight. Range: > 0. Source: Veach 1997, 11.4.2.2.
+  /// Weight of keeping the depth.
+  /// Unit: weight. Range: > 0. Source: Veach 1997, 11.4.2.2.
   static constexpr double kSameDepth = 0.5;
-  /// Weight of one edge more, and of one edge less. Unit: weight, as above. Range: > 0. Source:
-  /// Veach 1997, 11.4.2.2.
+  /// Weight of one edge more, and of one edge less.
+  /// Unit: weight, as above. Range: > 0. Source: Veach 1997, 11.4.2.2.
   static constexpr double kNextDepth = 0.15;
-  /// Weight of j > 1 edges more or less, times 2^−j. Unit: weight, as above. Range: > 0. Source:
-  /// Veach 1997, 11.4.2.2.
+  /// Weight of j > 1 edges more or less, times 2^−j.
+  /// Unit: weight, as above. Range: > 0. Source: Veach 1997, 11.4.2.2.
   static constexpr double kOtherDepth = 0.2;
-  /// Largest change of depth. Unit: edges. Range: >= 2. Source: set by hand: one in 2^20.
+  /// Largest change of depth.
+  /// Unit: edges. Range: >= 2. Source: set by hand: one in 2^20.
   static constexpr int kMostEdgesAtOnce = 20;
   /// Perturbations move places on the film by no less than this.
   /// Unit: pixels. Range: > 0. Source: Veach 1997, 11.4.3.1.
@@ -71,9 +73,9 @@ struct PathSpaceHeuristics {
   /// water-caustic walks come to a chain again within 1e-4, and to no other within 6e-3.
   static constexpr double kClear = 0.001;
   /// Clearance where no ray can run into the light: other chains are left out. Two that become one
-  /// at the border of a caustic are told apart by the sign of a determinant in any case. Unit: the
-  /// same share. Range: [kClear, 1). Source: docs/notebook/mutations.md, "Seeds of what no
-  /// connection makes": in waves, 0.3 % of the light are left out; with kClear it would be 3 %.
+  /// at the border of a caustic are told apart by the sign of a determinant in any case.
+  /// Unit: the same share. Range: [kClear, 1). Source: docs/notebook/mutations.md, "Seeds of what
+  /// no connection makes": in waves, 0.3 % of the light are left out; with kClear it would be 3 %.
   /// With ten times as much it is less than can be told, but single seeds bring a seventh of all.
   static constexpr double kClearOfPoints = 0.01;
   /// Its guesses pass beside the straight way, or where a photon passed, by no less than this, each
@@ -83,15 +85,15 @@ struct PathSpaceHeuristics {
   /// docs/notebook/mutations.md, "Seeds of what no connection makes": ten times are worse, if one
   /// seed can be trusted; of less, no study.
   static constexpr double kSmallestGuess = 1e-4;
-  /// Probability of a guess to follow photons. Unit: probability. Range: [0, 1). Source: as above:
-  /// without them the same error takes nine times as long; half as many make no difference that one
-  /// seed shows, nearly all are worse.
+  /// Probability of a guess to follow photons.
+  /// Unit: probability. Range: [0, 1). Source: as above: without them the same error takes nine
+  /// times as long; half as many make no difference that one seed shows, nearly all are worse.
   static constexpr float kGuessesByPhotons = 0.9F;
   /// Photons that are traced for that, of all lights.
   /// Unit: photons. Range: >= 0. Source: as above: half makes no difference; of double, no study.
   static constexpr std::uint64_t kPhotons = 1 << 17;
-  /// Least number of photons in the smallest cell that guesses choose from. Unit: photons. Range:
-  /// >= 1. Source: as above: half and double make no difference.
+  /// Least number of photons in the smallest cell that guesses choose from.
+  /// Unit: photons. Range: >= 1. Source: as above: half and double make no difference.
   static constexpr int kFewestPhotons = 8;
   /// Photons do not follow longer chains.
   /// Unit: vertices. Range: >= 1. Source: set by hand, no study.
@@ -101,9 +103,10 @@ struct PathSpaceHeuristics {
   /// Unit: guesses, a power of 2. Range: >= 1. Source: set by hand: a second, which one of 20 000
   /// counts takes in water-caustic.
   static constexpr std::uint64_t kSureGuesses = 1 << 16;
-  /// Probability to go on. Unit: probability. Range: (0, 1/2): at half, chains that are hardly ever
-  /// found would take without end. Source: set by hand: a chain that is never found takes half as
-  /// long again on average.
+  /// Probability to go on.
+  /// Unit: probability. Range: (0, 1/2): at half, chains that are hardly ever found would take
+  /// without end. Source: set by hand: a chain that is never found takes half as long again on
+  /// average.
   static constexpr double kGuessesGoOn = 0.25;
 };
 

@@ -8,10 +8,10 @@ namespace ajar {
 /// ranges, and those of papers (`PlaneRule`).
 struct PrimaryHeuristics {
   /// Largest relative length of steps of the raster numbers alone, log-uniform from 1. Where
-  /// directions alone decide, the next light may lie anywhere. Unit: factor. Range: [1,
-  /// StepSizes::kLargest]. Source: docs/notebook/chains.md, "Directions that stay": FLIP on pool
-  /// 0.328 with twice as long, 0.296 with six times, 0.288 with twenty times, 0.284 with 1 to 50
-  /// times.
+  /// directions alone decide, the next light may lie anywhere.
+  /// Unit: factor. Range: [1, StepSizes::kLargest]. Source: docs/notebook/chains.md, "Directions
+  /// that stay": FLIP on pool 0.328 with twice as long, 0.296 with six times, 0.288 with twenty
+  /// times, 0.284 with 1 to 50 times.
   static constexpr double kRasterLength = 50.0;
   /// Fine steps are so many times shorter in variance, one as often as the other: 1/8 and 1/64 in
   /// length.
