@@ -21,8 +21,8 @@ struct Format {
   /// if the scene cannot be used, IoError if `path` cannot be read.
   desc::SceneDesc (*read)(const std::string& path, Warnings& warnings,
                           const FileProvider& provider);
-  /// The same with values for what scenes of the format leave open. Raises SceneError, too, for
-  /// names that this scene does not have. Null: the format has no such thing.
+  /// Reads with values for parameters that scenes of the format leave open. Raises SceneError, too,
+  /// for names that this scene does not have. Null: the format has no such thing.
   desc::SceneDesc (*read_defined)(const std::string& path, Warnings& warnings,
                                   const FileProvider& provider,
                                   const SceneDefinitions& definitions) = nullptr;
@@ -39,7 +39,7 @@ const std::vector<Format>& formats();
 /// The format of a file, told by its extension. Raises SceneError, which lists the extensions, if
 /// there is none.
 const Format& format_of(const std::string& path);
-/// The same for a file to be written. Raises UsageError.
+/// Format of a file to be written. Raises UsageError.
 const Format& format_to_write(const std::string& path);
 
 /// "one (.one), other (.abc, .xyz)": those that can be written, for help.

@@ -7,7 +7,7 @@
 #include "import/code/json_place.h"
 #include "import/code/scene_changes.h"
 
-/// What a description has as arrays: geometry and images.
+/// Arrays of a description: geometry and images.
 namespace ajar::code {
 
 class ArrayReader {
@@ -26,7 +26,7 @@ class ArrayReader {
   std::string image(const Json& json, const JsonPlace& place) const;
 
  private:
-  /// Which array a member means; -1 without the member.
+  /// Index of the array in a member; -1 without the member.
   int array_number(const JsonPlace& part, const char* name) const;
   const NumberArray& array(const JsonPlace& part, const char* name, NumberArray::Type type,
                            std::size_t columns) const;

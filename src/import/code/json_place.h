@@ -33,7 +33,7 @@ class JsonPlace {
   bool flag(const char* name, bool otherwise) const;
   /// Finite.
   double number(const char* name, double otherwise) const;
-  /// Which of `count` things; -1 without the member.
+  /// Index below `count`; -1 without the member.
   int index(const char* name, std::size_t count) const;
 
  private:

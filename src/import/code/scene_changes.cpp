@@ -360,7 +360,7 @@ void check_node(ModelKind kind, std::string_view node) {
   desc::EmbeddedFiles embedded;
   Warnings warnings;
   const Json json = parsed(node);
-  // What it refers to is looked at when it is added to a scene.
+  // References are resolved when it is added to a scene.
   const auto any = [](const Json&, const JsonPlace&) { return 0; };
   code::read_node(kind, {json, code::name_of(kind), {"model", "parameters"}},
                   code::ArrayReader({}, embedded, warnings), {any, any});

@@ -33,7 +33,7 @@ desc::SceneDesc changed_scene(desc::SceneDesc scene, std::string_view changes,
 /// "parameters": …}`.
 void check_node(desc::ModelKind kind, std::string_view node);
 
-/// What `changed_scene` can edit: names, models, and parameters, as JSON.
+/// Parts that `changed_scene` can edit: names, models, and parameters, as JSON.
 std::string editable_parts(const desc::SceneDesc& scene);
 
 }  // namespace ajar

@@ -26,7 +26,7 @@ extern const double kRadiancePerKilocandela;
 /// it has.
 std::optional<desc::Light> sky_light(const SourceLocation& where, const Daylight& daylight,
                                      double scale);
-/// The same for the sun: parallel light.
+/// The sun: parallel light.
 std::optional<desc::Light> sun_light(const SourceLocation& where, const Daylight& daylight,
                                      double scale);
 

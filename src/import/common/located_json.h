@@ -7,7 +7,7 @@
 
 namespace ajar {
 
-/// What a file may have that JSON has not: remarks, `// …` and `/* … */`, and a comma behind the
+/// Extensions of JSON that a file may use: comments, `// …` and `/* … */`, and a comma behind the
 /// last part of an array or object.
 enum class JsonExtras { None, CommentsAndTrailingCommas };
 
@@ -55,7 +55,7 @@ class LocatedJson {
 
 struct LocatedJson::Member {
   std::string name;
-  SourceLocation where;  ///< of the name
+  SourceLocation where;  ///< place of the name
   LocatedJson value;
 };
 

@@ -3,11 +3,11 @@
 
 namespace ajar {
 
-/// Whether light that passes what is not there adds an edge to the depth of its path.
+/// Counting of cut-outs as edges in the depth of a path.
 enum class Passing { Counted, Uncounted };
 
-/// Whether it matters that cut-outs are counted, which costs time, where paths have no more than
-/// this many edges: those that are longer than 32 bring next to nothing.
+/// True if cut-outs have to be counted, which costs time, where paths have no more than this many
+/// edges: longer ones than 32 carry next to no light.
 inline bool must_count_cut_outs(int max_depth) { return max_depth <= 32; }
 
 /// Lets all light pass straight on: what is no surface, where it is a part of a mix.
@@ -21,7 +21,7 @@ desc::MaterialId part_of_mix(desc::SceneDesc& scene, desc::MaterialId id,
 /// A surface of which not all is there.
 struct PartlyClear {
   desc::MaterialId material = desc::kNone;
-  desc::TextureId alpha = desc::kNone;  ///< of the shape; none if nowhere all is cut away
+  desc::TextureId alpha = desc::kNone;  ///< opacity of the shape; none if nothing is cut away
 };
 /// `visible` by the share `opacity`, a number, a colour or a texture; the rest is clear. The
 /// materials that it takes are called and placed as `like`. Where a texture is 0, the mix alone

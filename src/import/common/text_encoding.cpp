@@ -8,7 +8,7 @@
 namespace ajar {
 namespace {
 
-/// How the numbers of characters are kept.
+/// Storage of characters' numbers.
 struct Encoding {
   std::size_t unit;  ///< bytes
   bool is_big_endian;

@@ -28,7 +28,7 @@ TEST(GltfDocument, MessagesHaveLineColumnAndElement) {
     EXPECT_TRUE(contains(warnings, part)) << part << "\n" << warnings;
   }
   EXPECT_FALSE(contains(warnings, "b/d")) << "the first of the two is not looked into";
-  // Those of a container count in its JSON.
+  // Offsets in a container count from its JSON.
   std::string padded = text;
   while (padded.size() % 4 != 0) padded += ' ';
   const auto number = [](std::size_t value) {

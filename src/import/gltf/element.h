@@ -68,7 +68,7 @@ class Element {
   /// The names of the members of an object; none of anything else.
   std::vector<std::string> names() const;
   bool is_array() const { return value_->is_array(); }
-  /// Whether it, or anything in it, has a member whose name ends with this.
+  /// True if it, or anything in it, has a member whose name ends with this.
   bool mentions(std::string_view end_of_name) const;
 
   std::optional<double> find_number(std::string_view name) const;

@@ -13,8 +13,8 @@ namespace ajar {
 desc::SceneDesc import_gltf(const std::string& path, Warnings& warnings,
                             const FileProvider& provider);
 
-/// The same for the contents of a file: JSON text or a .glb. `name` is used in messages, other
-/// files are looked for in `base_folder`.
+/// Reads the contents of a file: JSON text or a .glb. `name` is used in messages, other files are
+/// looked for in `base_folder`.
 desc::SceneDesc import_gltf_bytes(std::string_view bytes, const std::string& name,
                                   const std::string& base_folder, Warnings& warnings,
                                   FileProvider provider);

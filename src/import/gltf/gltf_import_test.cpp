@@ -29,7 +29,7 @@ TEST(GltfImport, UnknownExtensionsAreErrorsOnlyIfRequired) {
   EXPECT_TRUE(contains(error_of(file.text()), "did you mean \"KHR_materials_specular\""));
 }
 
-/// What docs/reference/formats-gltf.md says of extensions.
+/// Claims of docs/reference/formats-gltf.md on extensions.
 TEST(GltfImport, ExtensionsThatAreNotReadSayWhatThePictureLacks) {
   for (const auto& [name, says] :
        {std::pair("KHR_materials_anisotropy", "gloss is the same in all directions"),

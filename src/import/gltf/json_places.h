@@ -41,7 +41,7 @@ class JsonPlaces {
     Place place;
     std::unique_ptr<Children> children;  ///< null if there are none
   };
-  /// What is in an array or object may be as deep as the text is long, so that none owns another.
+  /// Nesting may be as deep as the text is long, so that none owns another.
   std::vector<Value> values_;
   std::vector<Repeated> repeated_;
   std::size_t more_repeated_ = 0;

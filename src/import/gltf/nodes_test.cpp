@@ -227,7 +227,7 @@ TEST(GltfLights, LuxAreWattsPerSquareMetreFromPlusZ) {
   const desc::SceneDesc scene = scene_of(with_light({{"type", "directional"}, {"intensity", 3}}));
   EXPECT_TRUE(scene.lights[0].node.is("distant"));
   EXPECT_EQ(scene.lights[0].node.color("irradiance"), Vec3(3.F));
-  // It shines along −z: it is in the direction of +z.
+  // Light shines along −z: it is in the direction of +z.
   expect_near(transform_vector(scene.lights[0].to_world, {0, 0, 1}), {0, 0, 1});
 }
 

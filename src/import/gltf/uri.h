@@ -6,10 +6,10 @@
 
 namespace ajar::gltf {
 
-/// What a URI holds or names.
+/// Data or file of a URI.
 struct UriTarget {
-  std::optional<std::string> data;  ///< of a "data:" URI
-  std::string media_type;           ///< of one; may be empty
+  std::optional<std::string> data;  ///< content of a "data:" URI
+  std::string media_type;           ///< its media type; may be empty
   std::string file;                 ///< else: a path relative to the file, decoded
 };
 

@@ -5,7 +5,7 @@
 
 namespace ajar {
 
-/// How compressed data is wrapped.
+/// Container of compressed data.
 enum class StreamKind { Gzip, Zlib };
 
 /// Decompresses a stream of zlib, or one of gzip of one or more members; what follows is ignored.

@@ -43,7 +43,7 @@ int slot_of(const std::string& name) {
   return kUnusedSlot;
 }
 
-/// What stands for 1 in a colour.
+/// Value of 1 in a colour.
 float full_color(PlyType type) {
   switch (type) {
     case PlyType::Int8:
@@ -425,7 +425,7 @@ class PlyReader {
   bool has_uvs_ = false;
   bool has_colors_ = false;
   std::vector<Vec3> colors_;
-  std::vector<Vec3> places_;  ///< of a face, and what is made of it
+  std::vector<Vec3> places_;  ///< corners of a face, and its triangles
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 

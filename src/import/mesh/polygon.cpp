@@ -78,7 +78,7 @@ class EarCutter {
         ++tried;
         continue;
       }
-      // What has no area covers nothing.
+      // Degenerate triangles are left out.
       if (area > 0.0) triangles_.push_back({before, here, after});
       left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
       tried = 0;
@@ -89,7 +89,7 @@ class EarCutter {
   }
 
  private:
-  /// Whether no other corner is in this triangle. Corners in the place of one of its own are those
+  /// True if no other corner is in this triangle. Corners in the place of one of its own are those
   /// of a cut that leads to a hole.
   bool is_free(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const Point& pa = points_[a];

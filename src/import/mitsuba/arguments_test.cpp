@@ -41,7 +41,7 @@ std::string around(const std::string& tag, const std::string& type) {
   return sensor + shape + "@";  // emitters, integrators, shapes
 }
 
-/// What a plugin needs; others have no use for it, and say so each time.
+/// Properties that a plugin requires; others ignore them, with a warning each.
 std::string needs_of(const std::string& tag, const std::string& type) {
   const std::string file = "<string name='filename' value='a'/>";
   if (tag == "bsdf") {
@@ -55,7 +55,7 @@ std::string needs_of(const std::string& tag, const std::string& type) {
   return tag == "shape" || tag == "volume" ? file : "";
 }
 
-/// What a medium or a material calls it.
+/// Name that a medium or a material has in it.
 std::string name_of(const std::string& tag) {
   if (tag == "medium") return "interior";
   if (tag == "volume") return "sigma_t";

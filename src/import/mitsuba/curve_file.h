@@ -21,7 +21,7 @@ using CurveFile = std::vector<std::vector<CurvePoint>>;
 /// "bsplinecurve" of Mitsuba 3.
 CurveFile read_curve_file(std::string_view bytes, const std::string& name, bool has_radii);
 
-/// What the points of a curve are.
+/// Meaning of the points of a curve.
 enum class CurveKind { Corners, CubicSpline };
 /// Curves of fewer than two corners, or four points of a spline, have no part that can be seen.
 desc::Curves curves_of(const CurveFile& file, CurveKind kind);

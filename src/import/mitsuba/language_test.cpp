@@ -1,4 +1,4 @@
-// What is common to all plugins: parameters, includes, ids, colours, transforms, messages.
+// Common features of all plugins: parameters, includes, ids, colours, transforms, messages.
 #include "color/color.h"
 #include "import/mitsuba/import_test_support.h"
 #include "import/mitsuba/names.h"

@@ -393,7 +393,7 @@ TEST(MitsubaMaterials, ThinPrincipledIsASplitSheet) {
   EXPECT_EQ(leaf.warnings, "");
   EXPECT_EQ(leaf.node().number("diffuse_transmission"), 0.25F);
   EXPECT_EQ(leaf.node().number("specular_transmission"), 0.25F);
-  // What only one of the two has.
+  // Parameters of only one of the two.
   EXPECT_TRUE(contains(
       MaterialOf("<bsdf type=\"principledthin\">" + number("metallic") + "</bsdf>").warnings,
       "has no property \"metallic\""));

@@ -183,7 +183,7 @@ Surface make_mixture(const MaterialInputs& in) {
   in.arguments.accept({"ensure_energy_conservation"});
   double rest = std::accumulate(weights->begin(), weights->end(), 0.0);
   if (!(rest > 0.0)) return {in.materials.black()};
-  // What the weights leave is absorbed; what is too much is taken from all.
+  // Missing weight is absorption; an excess scales all parts.
   const double absorbed = std::max(1.0 - rest, 0.0);
   Surface result{absorbed > 0.0 ? in.materials.black() : part_of(in, parts.back()).id};
   rest = absorbed > 0.0 ? absorbed : weights->back();

@@ -36,7 +36,7 @@ class Parser {
   };
 
   void read_version(const XmlFile& file);
-  /// What is between the tags of an element.
+  /// Reads the content of an element.
   void read_content(const Source& source, Element& parent, int depth);
   void read_one(const Source& source, Element& parent, int depth);
   ElementPointer read_element(const Source& source, int depth);

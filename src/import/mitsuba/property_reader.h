@@ -12,9 +12,9 @@
 
 namespace ajar::mitsuba {
 
-/// Whether elements of this tag are properties, such as "float" and "transform".
+/// True if elements of this tag are properties, such as "float" and "transform".
 bool is_property_tag(std::string_view tag);
-/// Whether they are numbers or colours, which a plugin can be instead.
+/// True if they are numbers or colours, which a plugin can be instead.
 bool is_value_tag(std::string_view tag);
 
 /// Reads the value of properties: numbers, colours in all their spellings, transforms.
@@ -52,7 +52,7 @@ class PropertyReader {
   Definitions& definitions_;
   const SearchPath& files_;
   Warnings& warnings_;
-  Seen seen_;  ///< how its spectra are
+  Seen seen_;  ///< conversion of its spectra
 };
 
 }  // namespace ajar::mitsuba

@@ -6,7 +6,7 @@
 
 namespace ajar::mitsuba {
 
-/// How the facets of a rough surface lie.
+/// Roughness of a surface's microfacets.
 struct Roughness {
   desc::Value alpha;                   ///< or that along u
   std::optional<desc::Value> alpha_v;  ///< if it is another one

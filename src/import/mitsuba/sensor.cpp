@@ -137,7 +137,7 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
   // Rounded, so that other formats, which say the inverse, can say the same.
   camera.to_world = rounded_inverse(*from_world).value_or(to_world);
   if (const Element* medium = arguments.only_child("medium")) camera.medium = media.make(*medium);
-  // What Mitsuba takes if nothing is said cuts nothing off that is usual.
+  // Mitsuba's defaults clip nothing of usual scenes.
   const float near_clip = arguments.number("near_clip", kNear);
   const float far_clip = arguments.number("far_clip", kFar);
   const auto warn_if_seen = [&](desc::WarningIfSeen::If condition, float depth,

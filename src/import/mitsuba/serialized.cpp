@@ -125,7 +125,7 @@ std::vector<Imath::Vec3<unsigned>> take_triangles(Reader& body, std::uint64_t co
     for (int i = 0; i < 3; ++i) {
       const std::uint64_t vertex =
           has_long_indices ? body.take<std::uint64_t>() : body.take<std::uint32_t>();
-      // What is beyond is refused with all that is out of range.
+      // Larger indices are refused with all that are out of range.
       triangle[i] = static_cast<unsigned>(
           std::min<std::uint64_t>(vertex, std::numeric_limits<unsigned>::max()));
     }

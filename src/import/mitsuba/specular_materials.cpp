@@ -23,7 +23,7 @@ desc::Node dielectric(const MaterialInputs& in, bool thin) {
   return node;
 }
 
-/// What a scene says of the index of a metal, relative to vacuum.
+/// Index of refraction that a scene gives for a metal, relative to vacuum.
 struct GivenIndex {
   std::string material;
   std::optional<desc::Value> eta, k;

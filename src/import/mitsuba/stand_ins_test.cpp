@@ -1,4 +1,4 @@
-// What stands in for plugins that there are no others like (docs/reference/formats-mitsuba.md).
+// Replacements for plugins without an equivalent (docs/reference/formats-mitsuba.md).
 #include <algorithm>
 #include <map>
 
@@ -7,7 +7,7 @@
 namespace ajar::mitsuba {
 namespace {
 
-/// What is imported, and what is said of it.
+/// An imported scene, and its warnings.
 struct Imported {
   explicit Imported(const std::string& text, const Files& files = {}) {
     Warnings of_import;
@@ -71,7 +71,7 @@ TEST(MitsubaStandIns, IntegratorsThatWatchOverAnotherAreThatOne) {
                            "<integrator type=\"foo\"> has more of <integrator> than it can use"}) {
     EXPECT_TRUE(contains(watched.warnings, part)) << part << watched.warnings;
   }
-  // What is in one that watches over nothing has no meaning.
+  // Nested integrators without a parent of their kind have no meaning.
   const Imported path_in_path(world("<integrator type='path'>" + path + "</integrator>"));
   EXPECT_EQ(path_in_path.scene.hints.integrator, "pt");
   EXPECT_TRUE(contains(path_in_path.warnings, "has no property \"integrator\""))
@@ -228,7 +228,7 @@ TEST(MitsubaStandIns, FiltersAreThoseOfTheirNames) {
   EXPECT_EQ(lobes.radius, Vec2(4.F));
 }
 
-/// What Mitsuba 0.6 takes for the film of matrices.
+/// Defaults of Mitsuba 0.6's film for matrices.
 TEST(MitsubaStandIns, MatricesBeginWithOneNumber) {
   const Imported seen = seen_through("<sensor type='perspective'><film type='mfilm'/></sensor>");
   EXPECT_EQ(seen.scene.film.resolution, Vec2i(1, 1));

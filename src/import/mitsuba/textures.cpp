@@ -23,7 +23,7 @@ desc::Node constant(const desc::Rgb& value) {
   return desc::texture_node("constant", {{"value", Vec3(value)}});
 }
 
-/// What Mitsuba calls it, and whether ours is the same.
+/// Mitsuba's name of it, and whether ours is equivalent.
 std::pair<std::string, bool> wrap_of(const std::string& mode) {
   if (mode == "clamp" || mode == "repeat") return {mode, true};
   if (mode == "zero" || mode == "black") return {"black", true};

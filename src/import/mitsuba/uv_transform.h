@@ -4,7 +4,7 @@
 
 namespace ajar::mitsuba {
 
-/// What a texture does to coordinates before it looks them up: u' = scale · u + offset.
+/// Transform of a texture's coordinates before lookup: u' = scale · u + offset.
 struct UvTransform {
   Vec2 scale{1.F, 1.F};
   Vec2 offset{0.F, 0.F};

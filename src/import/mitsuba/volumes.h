@@ -7,7 +7,7 @@
 
 namespace ajar::mitsuba {
 
-/// What a medium has of a `<volume>`.
+/// Values that a medium reads from a `<volume>`.
 struct VolumeValue {
   desc::Rgb color{0, 0, 0};
   std::optional<VolumeGrid> grid{};  ///< factors of `color`

@@ -16,7 +16,7 @@ struct Form {
   Values values;
   std::size_t most;
   std::string_view otherwise;  ///< for numbers that are left out
-  bool is_taken = true;        ///< whether tinyobjloader has it, and something comes of it here
+  bool is_taken = true;        ///< tinyobjloader has it, and it has an effect here
 };
 constexpr std::array<Form, 13> kForms = {{{"-o", Values::Numbers, 3, "0"},
                                           {"-s", Values::Numbers, 3, "1"},

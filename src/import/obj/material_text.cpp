@@ -138,9 +138,9 @@ class Text {
 
   std::shared_ptr<const std::string> file_;
   Warnings& warnings_;
-  SourceLocation where_;  ///< of the line
+  SourceLocation where_;  ///< start of the line
   std::string text_;
-  std::set<std::string, std::less<>> words_;  ///< of the material
+  std::set<std::string, std::less<>> words_;  ///< words of the material
   std::set<std::string, std::less<>> black_;  ///< colours of it
   float illum_ = 0.F;
   std::set<std::string, std::less<>> materials_;

@@ -43,12 +43,12 @@ std::vector<std::string> all_words() {
   return all;
 }
 
-/// Whether an image of this word becomes a number, of which `-imfchan` says the channel.
+/// True if an image of this word becomes a number, of which `-imfchan` says the channel.
 bool is_of_numbers(std::string_view keyword) {
   return keyword == "map_d" || keyword == "map_Pr" || keyword == "map_Pm";
 }
 
-/// Whether an option changes nothing, or what it says is done.
+/// True if an option changes nothing, or is supported.
 bool is_read(std::string_view keyword, const ImageOption& option) {
   if (option.name == "-imfchan") {
     const std::string_view channel = option.values.empty() ? "" : option.values.front();

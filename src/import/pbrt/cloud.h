@@ -23,7 +23,7 @@ struct Cloud {
 /// so that there are at most `most_points` in all, which is at least 8.
 desc::Vec3i lattice_of(const Cloud& cloud, std::uint64_t most_points);
 
-/// Whether that lattice is too coarse for the finest noise.
+/// True if that lattice is too coarse for the finest noise.
 bool is_finer_than_grids(const Cloud& cloud, std::uint64_t most_points);
 
 /// The density at the points of that lattice. Its unit cube is the box.
@@ -34,13 +34,13 @@ desc::DensityGrid tabulate(const Cloud& cloud, std::uint64_t most_points);
 /// are at first, but for the 8 that the least one has.
 class CloudGrids {
  public:
-  /// Of a file: the first cloud alone has up to 256³.
+  /// Limit per file: the first cloud alone has up to 256³.
   static constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 25U;
 
   explicit CloudGrids(std::uint64_t most_points = kMostPoints) : points_left_(most_points) {}
 
-  /// That of `cloud`, which is made at `where` as the medium `name`. Those that are coarser than
-  /// the noise have a warning. Raises SceneError if there is no memory for it.
+  /// Grid of `cloud`, which is made at `where` as the medium `name`. Warns of grids that are
+  /// coarser than the noise. Raises SceneError if there is no memory for it.
   desc::DensityGridPointer get(const Cloud& cloud, const SourceLocation& where,
                                const std::string& name, Warnings& warnings);
 

@@ -95,7 +95,7 @@ std::optional<Dialect> find_typed(std::string_view directive, std::string_view w
   return found == kTyped.end() ? std::nullopt : std::optional(found->dialect);
 }
 
-/// What kind of word decides, the strongest first.
+/// Kind of the decisive word, the strongest first.
 enum class Evidence { Film, Directive, Type, None };
 
 /// Reads words of files until one is decisive.

@@ -13,10 +13,10 @@ namespace ajar::pbrt {
 enum class Dialect { V3, V4 };
 std::string_view name_of(Dialect dialect);  ///< "pbrt-v3"
 
-/// What a file is taken for, and why.
+/// Dialect of a file, and the reason.
 struct DialectChoice {
   Dialect dialect = Dialect::V3;
-  SourceLocation where = {};  ///< of the word that decides; unknown if no word does
+  SourceLocation where = {};  ///< place of the word that decides; unknown if no word does
   std::string word = {};      ///< as in `Film "rgb"`
 };
 

@@ -39,12 +39,12 @@ class Lexer {
     source.look_ahead();
     return source.peeked_;
   }
-  /// Whether nothing is left of its own text.
+  /// True if nothing is left of its own text.
   bool is_at_own_end() {
     look_ahead();
     return peeked_.kind == TokenKind::End;
   }
-  /// Whose text the next token is from.
+  /// Lexer that the next token is from.
   Lexer& current() { return after_ != nullptr && is_at_own_end() ? after_->current() : *this; }
 
   SourceLocation where(const Token& token) const;

@@ -114,7 +114,7 @@ const std::vector<ModelName>& materials_of_v3() {
 }
 
 const std::vector<ModelName>& materials_of_v4() {
-  // What a v4 material says by its type alone.
+  // Parameters that v4 materials imply by their type.
   static const ParameterName kNoTint{"reflectance", {}};
   static const ParameterName kNoTransmittance{"transmittance", {}};
   static const ParameterName kFacets{"distribution", {}};

@@ -74,7 +74,7 @@ TEST(PbrtMaterials, RoughnessIsTheFacetsAlphaIfItIsNotRemapped) {
 
 TEST(PbrtMaterials, IndexIsAnotherNameOfEta) {
   EXPECT_EQ(material_of("Material \"glass\" \"float index\" 1.3").number("eta"), 1.3F);
-  // What has no effect is said to have none.
+  // Parameters without effect are reported.
   EXPECT_TRUE(
       contains(warnings_of(world("Material \"glass\" \"float index\" 1.3 \"float eta\" 1.4")),
                "unused parameter \"float index\""));

@@ -22,7 +22,7 @@ constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not
 constexpr WarningKind kBesidePreset{Effect::Surface,
                                     "media have a preset and coefficients, which are ignored"};
 
-/// Whether the coefficient `name` is a grid of colours.
+/// True if the coefficient `name` is a grid of colours.
 const Parameter* color_grid(const ParameterList& parameters, std::string_view name) {
   const Parameter* grid = parameters.find(name, ParameterKind::Rgb);
   return grid != nullptr && grid->size() > 1 ? grid : nullptr;

@@ -13,7 +13,7 @@ namespace {
 using desc::ModelKind;
 using desc::Node;
 
-/// What the scene is after it was written and read.
+/// The scene after it was written and read.
 desc::SceneDesc there_and_back(const desc::SceneDesc& scene) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "scene.pbrt").string();

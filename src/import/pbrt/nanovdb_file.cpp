@@ -151,7 +151,7 @@ class TreeReader {
   }
 
  private:
-  /// What is at a place of the grid.
+  /// Object at an offset in the grid.
   template <typename T>
   const T& at(std::int64_t place) const {
     const auto size = static_cast<std::int64_t>(bytes_.size());
@@ -274,7 +274,7 @@ class TreeReader {
     using Data = typename Leaf::DataType;
     const auto& leaf = at<Data>(place);
     if constexpr (!Data::FIXED_SIZE) {
-      // Of variable width, up to 16 bits: the numbers are behind.
+      // Values of variable width, up to 16 bits, follow.
       constexpr int kMostBits = 16;
       if (leaf.bitWidth() > kMostBits) fail(where_, kDamaged);
       if (leaf.memUsage() > bytes_.size() - static_cast<std::uint64_t>(place)) {
@@ -309,7 +309,7 @@ class TreeReader {
   const AlignedBytes& bytes_;
   const SourceLocation& where_;
   const std::uint64_t most_voxels_;
-  Index low_{0, 0, 0}, high_{0, 0, 0};  ///< of the points that are read: [low, high)
+  Index low_{0, 0, 0}, high_{0, 0, 0};  ///< range of the points that are read: [low, high)
   std::uint64_t count_ = 0;
   std::vector<float> values_;
 };

@@ -11,7 +11,7 @@ namespace ajar::pbrt {
 /// A grid, at the resolution of its voxels, and where the file places it.
 struct VoxelGrid {
   desc::DensityGrid grid;
-  Mat4 to_world;  ///< of the unit cube
+  Mat4 to_world;  ///< transform of the unit cube
 };
 
 /// The grid called `grid_name` in the bytes of a NanoVDB file, where its voxels are active; nothing
@@ -24,7 +24,7 @@ std::optional<VoxelGrid> read_nanovdb(std::string_view bytes, std::string_view g
                                       const SourceLocation& where,
                                       std::uint64_t most_voxels = std::uint64_t{1} << 30);
 
-/// Whether the file has a grid of this name. Raises SceneError.
+/// True if the file has a grid of this name. Raises SceneError.
 bool has_nanovdb_grid(std::string_view bytes, std::string_view grid_name,
                       const SourceLocation& where);
 

@@ -19,8 +19,8 @@ inline bool has_own_prefix(std::string_view word) { return word.starts_with(kOwn
 /// of its parameters are words with the prefix then.
 inline constexpr std::string_view kOwnModel = "ajar:model";
 
-/// Whether pbrt-v3 has nothing of this name, for a model that it has; of parameters that the tables
-/// of names do not translate.
+/// True if pbrt-v3 has nothing of this name, for a model that it has; for parameters that the
+/// tables of names do not translate.
 bool is_unknown_to_v3(const desc::Model& model, std::string_view parameter);
 
 }  // namespace ajar::pbrt

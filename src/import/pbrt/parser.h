@@ -37,7 +37,7 @@ class Parser {
   bool transform_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   bool block_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   bool thing_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
-  /// Those that only pbrt-v4 has.
+  /// Directives of pbrt-v4 alone.
   bool directive_of_v4(Lexer& lexer, const Token& token, const SourceLocation& where);
   /// Another file, and what it is named by. `goes_on`: whether a directive of its may end here.
   void include(Lexer& lexer, const SourceLocation& where, bool goes_on);
@@ -45,7 +45,7 @@ class Parser {
   struct OpenFile {
     std::string name, path;
     FileBytes bytes;
-    std::string decompressed;  ///< of a gzip file; else empty
+    std::string decompressed;  ///< content of a gzip file; else empty
     std::string_view text() const { return decompressed.empty() ? bytes.view() : decompressed; }
   };
   void warn_of_missing(const std::string& included, const SourceLocation& where);

@@ -33,7 +33,7 @@ class Writer {
         meshes_(path_, "meshes"),
         out_(context_.out) {}
 
-  /// What pbrt does not know of it.
+  /// Writes the scene; returns the message on names that pbrt does not know.
   std::string run() {
     write_options();
     out_.line("WorldBegin");

@@ -42,7 +42,7 @@ constexpr WarningKind kNoCamera{Effect::Light, "scenes have no Camera"};
 constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
 
 constexpr std::size_t kDeepestNesting = 100000;
-/// Of one target; every directive looks at all of them.
+/// Limit of one target; every directive looks at all of them.
 constexpr std::size_t kMostAttributes = 64;
 
 const char* name_of_scope(int kind) {
@@ -102,7 +102,7 @@ void SceneBuilder::pixel_filter(const SourceLocation& where, const std::string& 
 void SceneBuilder::sampler(const SourceLocation& where, const std::string& type,
                            const ParameterList& parameters) {
   if (!in_options(where, "Sampler")) return;
-  // What an integrator says about its number of samples is more specific, whatever comes first.
+  // The integrator's number of samples is more specific, whatever comes first.
   const std::optional<int> of_integrator =
       scene_.hints.integrator == "mmlt" || scene_.hints.integrator == "sppm"
           ? scene_.hints.samples_per_pixel
@@ -432,7 +432,7 @@ void SceneBuilder::show_hidden_lamp(desc::Shape& shape) {
   warnings_.add(kHiddenLamp, shape.where,
                 "with \"alpha\" 0 this lamp shines but is not seen in pbrt-v4: here it is seen");
   shape.alpha = desc::kNone;
-  // What is nothing but a boundary between media cannot shine.
+  // Interfaces between media cannot shine.
   desc::Material& clear = scene_.materials.emplace_back();
   clear.where = shape.where;
   clear.node = clear_material(Passing::Uncounted);

@@ -38,7 +38,7 @@ class ScopedNames {
     const auto found = names_.find(name);
     return found == names_.end() ? nullptr : &found->second;
   }
-  /// Whether the name was given in the innermost scope.
+  /// True if the name was given in the innermost scope.
   bool is_from_here(const std::string& name) const {
     if (find(name) == nullptr) return false;
     if (marks_.empty()) return true;

@@ -17,7 +17,7 @@ namespace ajar::pbrt {
 inline constexpr std::array kSpectrumKinds = {ParameterKind::Rgb, ParameterKind::Xyz,
                                               ParameterKind::Blackbody, ParameterKind::Spectrum};
 
-/// What a colour is of, which only pbrt-v4 tells apart.
+/// Role of a colour, which only pbrt-v4 distinguishes.
 ///
 /// Light: pbrt-v4 divides every light by the luminance of its spectrum; of an RGB colour, by that
 /// of its colour space's white. So rgb (1, 1, 1) is the white with luminance 1, black bodies and
@@ -37,8 +37,8 @@ class SpectrumReader {
   /// Value of a parameter of one of `kSpectrumKinds` with one value. Empty, after a warning, if it
   /// refers to a file that cannot be used. Raises SceneError if it is not finite.
   std::optional<desc::Rgb> value(const Parameter& parameter, ColorRole role = ColorRole::Other);
-  /// The same for what cannot be negative (light, scattering): such lanes become 0, with a warning
-  /// if the file says so itself or in a wider colour space than ours.
+  /// Values that cannot be negative (light, scattering): negative lanes become 0, with a warning if
+  /// the file says so itself or in a wider colour space than ours.
   std::optional<desc::Rgb> positive_value(const Parameter& parameter,
                                           ColorRole role = ColorRole::Other);
   desc::Rgb get_positive(const ParameterList& parameters, std::string_view name,

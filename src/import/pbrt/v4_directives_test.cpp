@@ -308,7 +308,7 @@ TEST(Pbrt4Lamps, ThatShouldNotBeSeenAreSeenInsteadOfLeftOut) {
   const desc::Shape& lamp = scene.shapes.at(0);
   EXPECT_TRUE(lamp.emission);
   EXPECT_EQ(lamp.alpha, desc::kNone);
-  // What is nothing but a boundary between media would not shine.
+  // Interfaces between media would not shine.
   EXPECT_EQ(material_node_of(scene, lamp), clear_material(Passing::Uncounted));
 }
 

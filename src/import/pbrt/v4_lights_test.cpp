@@ -18,7 +18,7 @@ desc::Rgb scale_of(const std::string& body) {
 TEST(Pbrt4Lights, PowerIsThatOfAllThatALightEmits) {
   expect_rgb(light_of("LightSource \"point\" \"float power\" 100").node.color("intensity"),
              desc::Rgb(100.F / kPi4), 1e-4F);
-  // What the colour of the light adds is its own.
+  // The colour of the light multiplies its power.
   expect_rgb(light_of("LightSource \"point\" \"rgb I\" [2 2 2] \"float power\" 100")
                  .node.color("intensity"),
              desc::Rgb(200.F / kPi4), 1e-4F);

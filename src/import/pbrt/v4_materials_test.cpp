@@ -243,7 +243,7 @@ TEST(Pbrt4Materials, MixesOfPartsWithOtherReliefsAreAWarning) {
                        "test.pbrt:3:1: the parts of this mix differ in their bump or normal map: "
                        "that of \"plain\" counts for both"));
   EXPECT_EQ(warnings("bumpy"), "");
-  // The same file is the same relief.
+  // One file is one relief.
   const std::string map = "\"string type\" \"diffuse\" \"string normalmap\" \"n.png\" ";
   EXPECT_EQ(v4_warnings("MakeNamedMaterial \"a\" " + map + "MakeNamedMaterial \"b\" " + map +
                             "Material \"mix\" \"string materials\" [\"a\" \"b\"]",

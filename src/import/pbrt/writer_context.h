@@ -13,15 +13,15 @@
 
 namespace ajar::pbrt {
 
-/// What every part of the writer works with.
+/// State shared by all parts of the writer.
 struct WriterContext {
   const desc::SceneDesc& scene;
-  std::filesystem::path path;  ///< of the pbrt file
+  std::filesystem::path path;  ///< path of the pbrt file
   std::vector<TextureUse> texture_uses;
   std::vector<std::string> texture_names, material_names, medium_names, object_names;
   ImageWriter images;
   TextWriter out;
-  /// How often each of our words was written that pbrt does not know.
+  /// Counts of our written words that pbrt does not know.
   std::map<std::string, int> unknown_parameters, unknown_models;
 
   WriterContext(const desc::SceneDesc& described, const std::string& out_path);
@@ -32,7 +32,7 @@ struct WriterContext {
   std::string medium_name(desc::MediumId id) const;
   /// The interface of lights and the camera, which know only the outside.
   void medium_outside(desc::MediumId outside);
-  /// What pbrt-v3 does not know of all that was written, as people are told; empty if it knows all.
+  /// Message on written words that pbrt-v3 does not know; empty if it knows all.
   std::string unknown_to_pbrt() const;
 };
 

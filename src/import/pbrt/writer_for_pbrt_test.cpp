@@ -1,5 +1,5 @@
-// What pbrt-v3 itself makes of a file that Ajar writes: its words have what comes nearest, and
-// Ajar's own beside them what is meant.
+// Reading by pbrt-v3 itself of a file that Ajar writes: its words have the nearest equivalents, and
+// Ajar's own beside them the exact values.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -170,7 +170,7 @@ TEST(WriterForPbrt, KeepsWidthsAlongStrands) {
       ASSERT_NEAR(width_at(back, x), width_at(scene, x), 0.02F) << x;
     }
   }
-  // What changes evenly is one curve.
+  // Evenly changing widths make one curve.
   EXPECT_EQ(written(strand({1.F, 2.F, 3.F, 4.F, 4.F, 5.F, 6.F, 7.F})).back.shapes.size(), 1U);
 }
 
@@ -222,7 +222,7 @@ std::string picture(const TemporaryFolder& folder, const std::string& name,
   return path.string();
 }
 
-/// What pbrt reads of the file that a parameter names: three channels of each texel.
+/// Pixels that pbrt reads from the file that a parameter names: three channels of each texel.
 std::vector<float> seen_by_pbrt(const Written& result, const TemporaryFolder& folder,
                                 const std::string& parameter) {
   const std::string begin = "\"string " + parameter + "\" \"";
@@ -519,7 +519,7 @@ TEST(WriterForPbrt, TellsWhatPbrtDoesNotKnow) {
   EXPECT_EQ(written(scene).unknown,
             "pbrt-v3 does not know, and shows otherwise, these models: coated_conductor, "
             "threshold; parameters: thin (2 times)");
-  // What it has by the same or another name, it knows.
+  // Models that pbrt has by the same or another name are known to it.
   desc::SceneDesc known;
   for (const char* name : {"mirror", "plastic", "translucent", "composite", "diffuse"}) {
     desc::Node node = desc::material_node(name);

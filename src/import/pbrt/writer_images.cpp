@@ -25,7 +25,7 @@ bool opens_in_pbrt(const std::string& image) {
   return extension == ".exr" || extension == ".png" || extension == ".tga" || extension == ".pfm";
 }
 
-/// What makes linear values of those in a file.
+/// Decodes the values in a file to linear ones.
 struct Decoding {
   bool is_integer;
   bool is_srgb;
@@ -47,7 +47,7 @@ std::optional<float> number_if_given(const desc::Node& node, const char* name) {
 
 float mean_of(const Vec3& c) { return (c.x + c.y + c.z) / 3.F; }
 
-/// What is taken of the channels of a texel, as `channel` of an image texture says.
+/// Selection among the channels of a texel, by `channel` of an image texture.
 struct Choice {
   std::string channel;
   const ColorChannels& from;

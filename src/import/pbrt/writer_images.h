@@ -34,8 +34,9 @@ class ImageWriter {
   /// Absolute path of an image of a clear sky, as the light of this model.
   std::string sky(const desc::Node& light);
   struct LightImage {
-    std::optional<std::string> file;  ///< of what pbrt is to see; nothing as for a texture
-    std::optional<float> factor;      ///< of the light, where it is scaled to a given strength
+    std::optional<std::string> file;  ///< file for pbrt; nothing as for a texture
+    std::optional<float> factor;      ///< factor of the light, where it is scaled to a given
+                                      ///< strength
   };
   LightImage for_light(const desc::Node& light);
   /// Mean colour of an image texture; nothing if it cannot be read.
@@ -53,7 +54,7 @@ class ImageWriter {
   const desc::SceneDesc& scene_;
   std::filesystem::path path_;
   WriterFiles files_;
-  // What is known already, by all that it follows from.
+  // Results so far, by all their inputs.
   std::map<std::string, std::optional<std::string>> textures_;
   std::map<std::string, LightImage> lights_;
   std::map<std::string, std::optional<Vec3>> means_;

@@ -40,9 +40,9 @@ struct ValueWriter {
     context.out.parameter("string " + name,
                           context.material_names.at(static_cast<std::size_t>(value.id)));
   }
-  /// What has a place is written under a transform of its own.
+  /// Transforms are written as a transform of the object.
   void operator()(const desc::TransformPointer&) const {}
-  /// What shapes are made of is written with them.
+  /// Meshes and curves are written with their shapes.
   void operator()(const desc::MeshPointer&) const {}
   void operator()(const desc::CurvesPointer&) const {}
 };

@@ -37,7 +37,7 @@ class PlyImages : public ::testing::Test {
         scene.materials.at(material).node.get("base_color"));
   }
   TemporaryFolder folder_;
-  std::optional<Warnings> warnings_;  ///< of the last scene
+  std::optional<Warnings> warnings_;  ///< warnings of the last scene
 };
 
 TEST_F(PlyImages, OfTheHeaderAreOnTheMesh) {

@@ -10,7 +10,7 @@
 #include "core/warnings.h"
 #include "import/file_provider.h"
 
-/// What the tests of all formats share.
+/// Fixtures of the tests of all formats.
 namespace ajar {
 
 /// Files beside a scene, by their paths.

@@ -7,7 +7,7 @@
 
 namespace ajar::tungsten {
 
-/// What a bsdf is made of.
+/// Inputs of a bsdf.
 struct BsdfInputs {
   Context& context;
   const ObjectReader& object;

@@ -6,7 +6,7 @@
 
 namespace ajar::tungsten {
 
-/// What a bsdf says of the surface that has it.
+/// Surface properties of a bsdf.
 struct Surface {
   desc::MaterialId material = desc::kNone;
   desc::TextureId alpha = desc::kNone;  ///< the surface is cut away where this is 0
@@ -27,12 +27,12 @@ class BsdfTable {
 
   /// The bsdf that `json` is or names. Unknown names and types are warnings: grey stands in.
   Surface resolve(const LocatedJson& json);
-  /// What primitives without a bsdf have.
+  /// Surface of primitives without a bsdf.
   Surface white();
 
   /// A material without a name, for `resolve`'s parts.
   desc::MaterialId add(const SourceLocation& where, desc::Node node);
-  /// The same material, without the bump that it may have.
+  /// Copy of the material without its bump.
   desc::MaterialId without_relief(desc::MaterialId id);
   /// One that reflects nothing.
   desc::MaterialId black();
@@ -55,7 +55,7 @@ class BsdfTable {
   std::map<std::string, Entry, std::less<>> named_;
   desc::MaterialId black_ = desc::kNone;
   desc::MaterialId white_ = desc::kNone;
-  int depth_ = 0;  ///< of references
+  int depth_ = 0;  ///< depth of references
 };
 
 }  // namespace ajar::tungsten

@@ -5,7 +5,7 @@
 
 #include "import/tungsten/import_test_support.h"
 
-/// What docs/reference/formats-tungsten.md says of members, one case for each.
+/// Claims of docs/reference/formats-tungsten.md on members, one case for each.
 namespace ajar::tungsten {
 namespace {
 

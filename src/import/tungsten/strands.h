@@ -9,9 +9,9 @@
 
 namespace ajar::tungsten {
 
-/// What a file of curves holds: nodes of uniform quadratic B-splines.
+/// Content of a file of curves: nodes of uniform quadratic B-splines.
 struct Strands {
-  std::vector<std::uint32_t> counts;  ///< of the nodes of each curve
+  std::vector<std::uint32_t> counts;  ///< number of nodes of each curve
   std::vector<Vec3> nodes;            ///< curve by curve
   std::vector<float> radii;           ///< one per node
 };
@@ -25,7 +25,7 @@ struct Strands {
 /// Yuksel's ("HAIR Model Files"). Tungsten takes widths of both as radii.
 Strands read_strands(std::string_view bytes, const std::string& name);
 
-/// How a primitive wants its curves.
+/// Options of a primitive for its curves.
 struct StrandTreatment {
   std::optional<float> radius;  ///< in place of those of the file
   bool tapers = false;          ///< to the end of each curve

@@ -147,7 +147,7 @@ TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
   EXPECT_TRUE(contains(voxels, "needs the grid \"a.vdb\", which is not read: it counts as empty"))
       << voxels;
   EXPECT_TRUE(contains(voxels, "did you mean \"grid_name\"")) << voxels;
-  // What Tungsten reads of a grid is known, though it has no effect.
+  // Grid members of Tungsten are known, though they have no effect.
   EXPECT_FALSE(contains(
       warnings_of(with("'type': 'voxel', 'grid': {'density_name': 'd', 'normalize_size': true}")),
       "density_name"));
