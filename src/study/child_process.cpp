@@ -16,7 +16,7 @@
 namespace ajar::study {
 
 namespace {
-/// How often the parent looks up: costs nothing beside a render.
+/// Interval of the parent's polls: costs nothing beside a render.
 constexpr auto kPoll = std::chrono::milliseconds(10);
 constexpr int kNotStarted = 127;
 

@@ -12,7 +12,7 @@ namespace ajar::study {
 
 struct ComparedPicture {
   LoadedPicture picture;
-  std::vector<std::optional<double>> values;  ///< of `Comparison::metrics`, in that order
+  std::vector<std::optional<double>> values;  ///< values of `Comparison::metrics`, in that order
   std::optional<BiasTest> bias;               ///< empty if the file does not know its error
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What reading the text raises, without the file's name; or what it reads.
+/// Error of reading the text, without the file's name; or the result.
 std::string read(const std::string& text) {
   const std::string path =
       (fs::temp_directory_path() / ("ajar-json-" + std::to_string(getpid()) + ".json")).string();

@@ -8,7 +8,7 @@ namespace ajar::study {
 struct PlotPoint {
   double x = 1;
   double y = 1;
-  double low = 1;  ///< of the bar; not above 0: the bar ends at the lower border
+  double low = 1;  ///< ends of the bar; not above 0: the bar ends at the lower border
   double high = 1;
 };
 struct PlotCurve {

@@ -245,7 +245,7 @@ std::vector<std::uint64_t> read_seeds(const JsonNode& study) {
   return seeds;
 }
 
-/// What names have in common if they share a folder: some file systems take "Pool" for "pool".
+/// Common folder name of several names: some file systems take "Pool" for "pool".
 std::string folder_of(const std::string& name) {
   std::string folder = file_name(name);
   for (char& c : folder) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

@@ -19,7 +19,8 @@ struct StudyRun {
   std::uint64_t seed = 0;
   bool is_reference = false;
   std::string title;                   ///< for people
-  std::vector<std::string> arguments;  ///< of `ajar render`, without the scene and output files
+  std::vector<std::string> arguments;  ///< arguments of `ajar render`, without the scene and output
+                                       ///< files
   /// Files are `stem` + ".exr", ".stats.json", ".record.json", ".log".
   std::filesystem::path stem;
   /// Changes with everything that decides the picture: scene, arguments, version.
@@ -36,7 +37,7 @@ std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::strin
 /// Runs that had less of the processors were disturbed: their times mislead.
 inline constexpr double kFairCpuShare = 0.75;
 
-/// What is known of a finished run: the JSON file beside its picture.
+/// Record of a finished run: the JSON file beside its picture.
 struct RunRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws nothing
   nlohmann::ordered_json json;
 
@@ -47,9 +48,9 @@ struct RunRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws not
   /// Processor time of the rendering, of what its threads could have had of this machine: near 1
   /// where nothing else runs. Empty if unknown, or for less than half a second, which tells little.
   std::optional<double> cpu_share() const;
-  /// Whether that is less than `kFairCpuShare`.
+  /// True if the CPU share is less than `kFairCpuShare`.
   bool is_disturbed() const;
-  /// Whether it has an estimate of its error that is no lower bound.
+  /// True if it has an estimate of its error that is no lower bound.
   bool knows_error() const;
 };
 

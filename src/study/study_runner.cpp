@@ -136,7 +136,7 @@ class Runner {
     records_[i] = std::move(record);
   }
 
-  /// What no metric looks at takes no time.
+  /// Layers without a metric take no time.
   bool wants_denoised() const {
     return std::any_of(plan_.metrics.begin(), plan_.metrics.end(),
                        [](const Metric* metric) { return metric->of_denoised; });
@@ -163,7 +163,7 @@ class Runner {
     const std::string& reference = result_.references[run.scene];
     try {
       if (reference.empty()) {
-        records_[i]->json.erase("metrics");  // of an older reference
+        records_[i]->json.erase("metrics");  // metrics of an older reference
       } else {
         measure(run, reference, *records_[i]);
       }
@@ -188,7 +188,8 @@ class Runner {
     }
   }
 
-  /// What noise of the reference itself adds to the metric of efficiency, from its standard error.
+  /// Contribution of the reference's own noise to the metric of efficiency, from its standard
+  /// error.
   std::optional<double> reference_noise(const std::string& path) const {
     if (path.empty()) return std::nullopt;
     const LoadedPicture reference = load_picture(path);

@@ -15,9 +15,9 @@ struct FinishedRun {  // NOLINT(bugprone-exception-escape): moving JSON throws n
 };
 
 struct StudyResult {
-  std::vector<FinishedRun> runs;        ///< those that finished, references not included
+  std::vector<FinishedRun> runs;        ///< finished runs, references not included
   std::vector<std::string> references;  ///< picture file per scene; empty if there is none
-  /// What the noise of the reference adds to the metric of efficiency, per scene; empty if the
+  /// Contribution of the reference's noise to the metric of efficiency, per scene; empty if the
   /// reference does not know its error.
   std::vector<std::optional<double>> noise;
   std::vector<std::string> failures;  ///< one sentence each
@@ -27,7 +27,7 @@ struct StudyResult {
 };
 
 struct StudyOptions {
-  std::filesystem::path folder;  ///< of the study file: where renders run
+  std::filesystem::path folder;  ///< folder of the study file: renders run there
   std::filesystem::path out;     ///< absolute
   std::string program;           ///< the `ajar` that renders
   /// A line for people: what is done and what is left.

@@ -186,7 +186,7 @@ TEST_F(Summary, TablesHaveTheNumbers) {
 }
 
 TEST_F(Summary, RunsThatHadLittleCpuTimeAreMarked) {
-  // Of a second on two threads; the machine has one core more.
+  // A render of one second on two threads; the machine has one core more.
   const auto rendered = [&](std::size_t run, double cpu, int threads) -> RunRecord& {
     Json& json = result_.runs[run].record.json;
     json["machine"] = {{"cores", 3}};
