@@ -16,10 +16,10 @@ class Scene {
 
   /// As it was loaded.
   const std::string& name() const;
-  // Of the picture that it asks for, pixels.
+  // Size of the scene's picture, pixels.
   int width() const;
   int height() const;
-  /// What is unusual in its files, one sentence each, with its place: what matters most first.
+  /// Warnings on its files, one sentence each, with its place: the largest effects first.
   std::vector<std::string> warnings() const;
 
   struct Content;
