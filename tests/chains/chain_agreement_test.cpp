@@ -289,7 +289,7 @@ TEST(ChainAgreementInARangeOfDepths, HoldsForPathsOfFourAndFiveEdges) {
   }
 }
 
-/// Of which no method has the numbers by default.
+/// No method uses chains of numbers by default here.
 TEST(ChainAgreementOfEnergyRedistribution, HoldsForChainsOfNumbers) {
   for (const char* name : {"GlassAndMetal", "CroppedMitchell"}) {
     test::KnownPicture known = test::known_picture(name, 160);

@@ -18,7 +18,7 @@
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
 
-/// What chains must not change: brightness, whatever the importance map, and how it scatters.
+/// Invariants of chains: brightness, whatever the importance map, and its scatter.
 namespace ajar {
 namespace {
 
@@ -65,7 +65,7 @@ TEST_P(Importance, LeavesTheExpectationAsItIs) {
   options.samples = 128;
   options.integrator = "bdpt";
   const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
-  // Of the full picture, or of the crop alone.
+  // Noise of the full picture, or of the crop alone.
   const Vec2i size = small.crop ? small.crop->max - small.crop->min + Vec2i(1, 1) : resolution;
   const NoiseMap noise(size.x, size.y);
   options.seed = 2;
@@ -225,9 +225,9 @@ TEST_P(RareLight, IsRightOnAverageThoughTheBootstrapMostlyMissesIt) {
   EXPECT_LT(5.0 * error, 0.5 * truth.value) << "too noisy to notice what it should";
 }
 
-// The same where no population has found any: the plain samples that stand for the large steps of
-// the chains there are not must be worth as much as those, w of the light (see
-// `ChainItems::refine_b`). In the test above they are a tenth of the light, as much as its error.
+// As above where no population has found any: the plain samples in place of the missing chains'
+// large steps must have their weight, w of the light (see `ChainItems::refine_b`). In the test
+// above they are a tenth of the light, as much as its error.
 TEST(RareLight, ChainsThatAreNotFoundAreReplacedByPlainSamples) {
   const auto scene = rarely_lit(0.015);
   test::RenderOptions options = rare_options();

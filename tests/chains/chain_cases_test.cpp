@@ -25,7 +25,7 @@ using test::replicates_of;
 using test::scene_from;
 
 constexpr const char* kNumberChains[] = {"mmlt+", "pssmlt+"};
-/// Of explicit paths: they make all light, and share none with ordinary Monte Carlo.
+/// Chains of explicit paths: they make all light, and share none with ordinary Monte Carlo.
 constexpr const char* kPathChains[] = {"mlt", "erpt"};
 const std::string kCamera =
     "LookAt 0 1 -4  0 0.8 0  0 1 0\nCamera \"perspective\" \"float fov\" [45]";

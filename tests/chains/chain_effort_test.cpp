@@ -11,7 +11,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// How a render shares its effort between its halves.
+/// Division of a render's effort between its halves.
 namespace ajar {
 namespace {
 

@@ -5,7 +5,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// What renders with chains are to consider.
+/// Plans of renders with chains.
 namespace ajar {
 namespace {
 

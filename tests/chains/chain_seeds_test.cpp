@@ -14,7 +14,7 @@
 namespace ajar {
 namespace {
 
-/// How far the dark stripes are from kDark / kBright of the bright ones, over independent renders.
+/// Ratio of the dark stripes to kDark / kBright of the bright ones, over independent renders.
 struct Excess {
   double mean = 0.0;  ///< over what they should be
   double error = 0.0;

@@ -1,5 +1,4 @@
-// What a stranger has put into a checkpoint in the place of an integrator's state is refused, or
-// can be rendered on.
+// Corrupt states of an integrator in a checkpoint are refused, or can be rendered on.
 #include <gtest/gtest.h>
 
 #include <cstring>

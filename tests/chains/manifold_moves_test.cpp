@@ -46,8 +46,8 @@ Shape "sphere" "float radius" [0.4]
 )");
 }
 
-/// How far from the axis the ray that leaves the lamp at this angle comes to the floor; negative
-/// beyond the axis.
+/// Distance from the axis at which the ray that leaves the lamp at this angle meets the floor;
+/// negative beyond the axis.
 double landing(double angle) {
   struct {
     double x, y;
@@ -82,7 +82,7 @@ double angle_of_fold() {
   return 0.5 * (low + high);
 }
 
-/// Of chains from the lamp through the ball to one place on the floor there are up to three.
+/// Up to three chains lead from the lamp through the ball to one place on the floor.
 enum class Branch : std::uint8_t { Inner, Outer, FromBeyondTheAxis };
 
 Branch branch_of(const InnerVertex& first, const Vec3& on_floor, double fold) {

@@ -96,7 +96,7 @@ void PrintTo(const SeedsCase& c, std::ostream* out) { *out << c.name; }
 
 class ManifoldSeedsOf : public ::testing::TestWithParam<SeedsCase> {};
 
-/// What samples bring to each part of the picture, and, last, to all of it.
+/// Light of samples in each part of the picture, and, last, in all of it.
 class Tiles {
  public:
   explicit Tiles(const Scene& scene) : size_(scene.camera().resolution()) {}
@@ -384,9 +384,9 @@ TEST(PointLampsThroughWater, AreNotForBidirectionalMutations) {
   }
 }
 
-/// What no technique makes is in the pictures of those that find it, beside what `bdpt` makes of
-/// the light of a sky, and where there is nothing else: of four edges, over a floor that is the
-/// only thing to scatter light.
+/// Light that no technique makes is in the pictures of those that find it, beside `bdpt`'s light of
+/// a sky, and where there is nothing else: of four edges, over a floor that is the only thing to
+/// scatter light.
 TEST(PointLampsThroughWater, AreInThePictures) {
   constexpr int kEdges = 4;
   const std::string pool = kPointLamp + kPoolFloor + kWater;

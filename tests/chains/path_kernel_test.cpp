@@ -15,7 +15,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// What a kernel of paths says of the steps that come to nothing.
+/// Records of a kernel of paths on steps without a proposal.
 namespace ajar {
 namespace {
 
@@ -24,7 +24,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 std::int32_t same_layer(int /*depth*/) { return 0; }
 
-/// What a mutation of these tests says of itself.
+/// Claims of a mutation of these tests.
 struct Claims {
   bool suits_old = true;
   bool suits_new = true;

@@ -55,8 +55,8 @@ std::size_t region_of(const Scene& scene, const Path& path) {
   return (place_and_depth * 3 + seen) * 2 + (steep ? 1 : 0);
 }
 
-/// What one step makes of the share of light in each region: nothing on
-/// average, if the step keeps the distribution.
+/// Change of the light in each region by one step: zero on average, if the step keeps the
+/// distribution.
 struct Flow {
   std::array<Moments, kRegions> gain;
   double moved = 0.0;  ///< share of all light that leaves its region
@@ -133,9 +133,8 @@ bool is_for_walks(const std::string& scene) {
 
 class KeepsTheDistribution : public ::testing::TestWithParam<const char*> {};
 
-/// It holds with 100 000 samples, too, and 400 000 of the pool. There,
-/// densities without the spread of specular vertices or the factor of one edge
-/// fail with 60 000.
+/// Holds with 100 000 samples, too, and 400 000 of the pool. There, densities without the spread of
+/// specular vertices or the factor of one edge fail with 60 000.
 TEST_P(KeepsTheDistribution, OfLightRegionByRegion) {
   const auto scene = test::scene_from(test::path_scene(GetParam()));
   const std::string_view scene_name = GetParam();
@@ -200,9 +199,8 @@ const Square kMoreOfFloor{Vec3(0.F, 0.F, 0.5F), 0.7F};
 const Square kLessOfFloor{Vec3(0.25F, 0.F, 0.3F), 0.08F};
 constexpr double kLamp = 0.8 * 0.8;
 
-/// What the changes of one kind come to, by what is kept and where the new
-/// vertices are: the mean over proposals of 1/T is the size of the region that
-/// they are in, if T is their density.
+/// Sum over changes of one kind, by kept vertices and regions of the new ones: the mean over
+/// proposals of 1/T is the size of the region, if T is their density.
 struct Region {
   const char* mutation;
   Kept kept;
@@ -283,7 +281,7 @@ TEST(PathMutations, MakeWholePathsAsTheTechniquesDo) {
     const PathBounds bounds = bounds_of(*scene);
     const auto mutation = path_mutations()[0].make(*scene, bounds);
     ASSERT_EQ(mutation->name(), "bidirectional");
-    // How often lengths are chosen: by that of the old and the new path.
+    // Probabilities of lengths, by that of the old and the new path.
     std::map<std::pair<int, int>, double> choices;
     int checked = 0;
     Path y;
@@ -313,8 +311,7 @@ TEST(PathMutations, MakeWholePathsAsTheTechniquesDo) {
   }
 }
 
-/// What mutations make of a path has open edges and the vertices that are kept,
-/// and the way back is known.
+/// Proposals of mutations have open edges and the kept vertices, and the reverse move is known.
 TEST(PathMutations, KeepVerticesAndKnowTheWayBack) {
   for (const char* name :
        {"GlassAndMetal", "NestedDielectrics", "Orthographic", "Distant", "Fog"}) {

@@ -13,8 +13,8 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// What ordinary Monte Carlo finds must be, as the state of a chain, the path that it was, worth
-/// what the other half leaves of it: else both halves together are not the picture.
+/// Paths found by ordinary Monte Carlo must be reproduced as states of a chain, with the other
+/// half's complement as weight: else both halves together are not the picture.
 namespace ajar {
 namespace {
 
@@ -115,9 +115,9 @@ Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer
 )");
 }
 
-/// What camera samples and manifold connections find is together worth what the bootstrap of `mlt`
-/// says, which tries connections eight times as often: hits that were counted whole, or tries by
-/// another number, would show.
+/// Camera samples and manifold connections together agree with the bootstrap of `mlt`, which tries
+/// connections eight times as often: hits that were counted whole, or a wrong number of tries,
+/// would show.
 TEST(Recruits, ShareWhatNoConnectionMakesWithManifoldConnections) {
   const auto scene = test::scene_from(small_lamp_over_water());
   Moments all;
@@ -128,7 +128,7 @@ TEST(Recruits, ShareWhatNoConnectionMakesWithManifoldConnections) {
         ChainKind::ExplicitPath, *scene,
         test::settings_of(*scene, {.replicates = 1, .seed = seed, .min_depth = 4, .max_depth = 4}),
         Parameters(chain_parameters(ChainKind::ExplicitPath), {{"split", "0.1"}}));
-    plan.brightness = 0.03;  // of the picture, as it is
+    plan.brightness = 0.03;  // brightness of the picture, as it is
     plan.divisions.emplace(Division(plan.lowest_threshold(), plan.view.importance));
     constexpr std::uint64_t kPerPixel = 128;
     const double camera_samples = static_cast<double>(kPerPixel * plan.pixels());
@@ -160,7 +160,7 @@ TEST(Recruits, ShareWhatNoConnectionMakesWithManifoldConnections) {
   }
   const double error = std::hypot(all.standard_error(), expected.standard_error());
   EXPECT_NEAR(all.mean(), expected.mean(), 5.0 * error);
-  // What the test is for: that neither part is missing, or there twice.
+  // Power of the test: neither part is missing, or there twice.
   const double joined = all.mean() - hits.mean();
   EXPECT_LT(5.0 * error, std::min(hits.mean(), joined)) << "too noisy to notice";
 }

@@ -106,7 +106,7 @@ TEST(UnlitChains, OfNumbersAloneTakePlainSamplesAfterABlackPilot) {
     if (report["selective"]["pilot_samples_per_pixel"] != 0) continue;
     for (const auto& group : report["acceptance"]["by_depth"]) {
       if (group["chains"] != 0) continue;
-      const bool has_paths = group["depth"].is_null();  // of all depths
+      const bool has_paths = group["depth"].is_null();  // one group for all depths
       ++(has_paths ? of_paths : of_numbers);
       EXPECT_EQ(group["mutations"] == 0, has_paths) << "seed " << options.seed;
     }

@@ -1,4 +1,4 @@
-// What a user meets of Markov chains: warnings, statistics, layers, options.
+// Output on Markov chains: warnings, statistics, layers, options.
 #include <gtest/gtest.h>
 
 #include <filesystem>

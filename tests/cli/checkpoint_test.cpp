@@ -215,8 +215,8 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
   }
 }
 
-/// What is interrupted before its chains are prepared is shown, but never gone on with: it is not
-/// the render that was asked for.
+/// Renders interrupted before their chains are prepared are shown, but cannot be resumed: they are
+/// not the requested render.
 TEST_F(CheckpointCli, AnInterruptedPreparationLeavesAPictureAndNoCheckpoint) {
   const std::vector<std::string> arguments = {"render",       "builtin:cornell",
                                               "--integrator", "mmlt+",
@@ -376,7 +376,7 @@ TEST_F(CheckpointCli, FullDiskLeavesThePreviousCheckpoint) {
 }
 
 TEST_F(CheckpointCli, FullDiskIsReportedAndTheRenderGoesOn) {
-  // What is written there fails as on a full disk.
+  // Writing there fails as on a full disk.
   fs::create_symlink("/dev/full", folder_ / "b.pfm");
   const pid_t child = start_endless({"-o", "b.pfm", "--output-every", "0.1s"});
   EXPECT_TRUE(wait_for(folder_ / ".stderr", "the picture will be tried again, the render goes on"));

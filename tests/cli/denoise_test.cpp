@@ -13,7 +13,7 @@ namespace {
 
 class DenoiseCli : public Cli {
  protected:
-  /// Of 32×24 pixels, with these arguments beside.
+  /// Renders 32×24 pixels, with these arguments beside.
   Outcome cornell(const std::vector<std::string>& more) const {
     std::vector<std::string> arguments = {"render", "builtin:cornell", "--resolution",
                                           "32x24",  "--progress",      "none"};

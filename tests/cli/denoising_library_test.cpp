@@ -7,8 +7,8 @@
 #include "cli/cli_fixture.h"
 #include "post/testing/loaded_library.h"
 
-/// Whatever lies where Open Image Denoise is looked for, the render goes on, and is told why it is
-/// not used.
+/// Any file in place of Open Image Denoise leaves the render running, with a message why it is not
+/// used.
 namespace ajar {
 namespace {
 

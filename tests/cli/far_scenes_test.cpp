@@ -8,9 +8,9 @@ namespace {
 /// with a finite picture, or with 3 and the place of what is too far away.
 struct FarScene {
   std::string name;
-  int line = 0;  ///< of what is at fault; 0: it renders
+  int line = 0;  ///< line of the fault; 0: it renders
   std::string text;
-  bool loses_rays = false;  ///< that start where they cannot be traced
+  bool loses_rays = false;  ///< rays start where they cannot be traced
 };
 
 struct Parts {

@@ -45,7 +45,7 @@ TEST_F(LostWorkCli, ANewRenderDoesNotReplaceACheckpoint) {
   EXPECT_EQ(render({"--spp", "16", "--checkpoint", "c", "--resume", "c"}).exit_code, 0);
   ASSERT_EQ(render({"--spp", "4", "--checkpoint", "d"}).exit_code, 0);
   EXPECT_EQ(run({"resume", "d", "--spp", "8", "--checkpoint", "c"}).exit_code, 2);
-  // What mktemp leaves is no checkpoint yet.
+  // Empty files, as of mktemp, are no checkpoints yet.
   std::ofstream(file("e")).flush();
   EXPECT_EQ(render({"--spp", "4", "--checkpoint", "e"}).exit_code, 0);
 }

@@ -1,4 +1,4 @@
-// What becomes of a render when nobody can read its messages any more.
+// Renders whose messages nobody can read any more.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <pty.h>

@@ -4,7 +4,7 @@
 
 #include "cli_fixture.h"
 
-/// What is said of scenes with faults, as whoever lights them reads it.
+/// Warnings on scenes with faults, as a lighting artist reads them.
 namespace ajar {
 namespace {
 

@@ -21,8 +21,8 @@ class Agreement : public ::testing::TestWithParam<test::SmallScene> {};
 
 /// Integrators that are not compared on some scenes, and why.
 bool is_exception(const std::string& integrator, const test::SmallScene& scene) {
-  if (integrator == "pt") return true;  // what others are compared with
-  // It cannot see mirrors and clear glass, and says so.
+  if (integrator == "pt") return true;  // the reference of others
+  // Light tracing cannot see mirrors and clear glass, and reports it.
   return integrator == "lt" && !scene.light_tracing_works;
 }
 

@@ -46,7 +46,7 @@ std::string ball(const std::string& medium) {
 
 struct BlueSpread {
   double mean;
-  double variance;  ///< of a pixel
+  double variance;  ///< variance of a pixel
 };
 BlueSpread blue(const test::Render& picture) {
   const std::vector<float> pixels = picture.image();

@@ -36,7 +36,7 @@ class Collector final : public PathRecorder {
   using PathRecorder::PathRecorder;
   void record(const Path& path, const Contribution& contribution) override {
     found.push_back({path, contribution});
-    found.back().contribution.light_point = nullptr;  // it does not last
+    found.back().contribution.light_point = nullptr;  // dangling later
     found.back().contribution.camera_point = nullptr;
   }
   std::vector<Found> found;
@@ -117,7 +117,7 @@ TEST_P(Paths, AreRecordedHalfByHalf) {
     PathSampler sampler(*scene, settings);
     Collector recorder(*scene, settings);
     struct Half {
-      std::uint32_t number;  ///< of what it is traced by
+      std::uint32_t number;  ///< light or camera number
       bool complete;
       PathVertex end;
       PathRecorder::Subpath recorded;
@@ -292,7 +292,7 @@ TEST_P(Paths, SurviveAnArchive) {
     EXPECT_EQ(throughput(*scene, read, contribution.technique),
               throughput(*scene, path, contribution.technique));
   }
-  // What strangers write: cut short anywhere, or with any byte another.
+  // Corrupt archives: cut short anywhere, or with any byte another.
   const Path& longest =
       std::max_element(found.begin(), found.end(), [](const Found& a, const Found& b) {
         return a.path.depth() < b.path.depth();
@@ -312,7 +312,7 @@ TEST_P(Paths, SurviveAnArchive) {
         }
       });
     } catch (const std::exception&) {
-      // It need not be refused, if it does no harm.
+      // Accepted archives must do no harm.
     }
   }
 }

@@ -9,7 +9,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// What is noticed of paths that cannot be.
+/// Detection of impossible paths.
 namespace ajar {
 namespace {
 

@@ -5,7 +5,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// What the user is warned of.
+/// Warnings to the user.
 namespace ajar {
 namespace {
 
@@ -56,7 +56,7 @@ TEST(Concerns, NameTheLightOfPointLampsBehindGlass) {
   }
 }
 
-/// The same caustic, seen through the ball.
+/// Caustic seen through the ball.
 TEST(Concerns, NameTheLightOfPointLampsThroughGlassOnBothSides) {
   const auto has_it = [](const std::vector<Warning>& concerns) {
     return std::any_of(concerns.begin(), concerns.end(), [](const Warning& warning) {
@@ -76,7 +76,7 @@ TEST(Concerns, NameTheLightOfPointLampsThroughGlassOnBothSides) {
   EXPECT_TRUE(has_it(concerns_of(lamp_behind("glass"), "erpt", {{"chain", "pssmlt"}})));
 }
 
-/// The same with a lamp that has an extent.
+/// A ball before a lamp that has an extent.
 std::string ball_behind(const std::string& material, const std::string& radius) {
   return test::pbrt_scene(
       "LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\"", 16, 16,

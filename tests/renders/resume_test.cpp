@@ -209,7 +209,7 @@ TEST_P(Resume, AtEveryPassGivesTheSameBits) {
   for (const Case& one : cases(0)) expect_the_same_at_every_pass(one);
 }
 
-/// What manifold connections have found is not kept, and found again.
+/// Paths of manifold connections are not saved, and found again.
 TEST(ResumeThroughWater, AtEveryPassGivesTheSameBits) {
   const auto scene = test::scene_from(test::pbrt_scene(
       "LookAt 0 2.4 -2.2  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [40]", 24, 16, R"(
@@ -220,7 +220,7 @@ Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices
 Material "glass" "float index" [1.33]
 Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer indices" [0 2 1 0 3 2]
 )"));
-  // So that stretches have several passes.
+  // Enough samples for stretches of several passes.
   const Method method{"selective", {}, {}, 64};
   const Case one(*scene, method);
   expect_the_same_at_every_pass(one);

@@ -397,7 +397,7 @@ std::vector<std::string> cells_of(const std::string& row) {
   return cells;
 }
 
-/// Whether two rows say the same, numbers but for the last digit.
+/// True if two rows are equal, numbers but for the last digit.
 bool is_same_row(const std::string& a, const std::string& b) {
   const std::vector<std::string> left = cells_of(a);
   const std::vector<std::string> right = cells_of(b);

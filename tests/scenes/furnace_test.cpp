@@ -19,7 +19,7 @@ namespace {
 /// A material as a format writes it, with `'` for `"`.
 struct FurnaceRow {
   std::string material;
-  /// Whether both sides look the same.
+  /// Declares whether both sides look the same.
   enum class Sides { Differ, Alike } sides = Sides::Differ;
   /// The most that a ball of it shows. Above 1, the material gains energy in its own renderer, so
   /// that closed rooms of it have no end.
@@ -225,7 +225,7 @@ std::vector<std::pair<std::string, desc::Node>> nodes_of(const desc::Model& mode
 
 TEST(MaterialFurnace, ModelsOfTheRegistry) {
   for (const MaterialModel& model : material_models()) {
-    if (model.model.name == "mix") continue;  // of others, which the formats have
+    if (model.model.name == "mix") continue;  // made of others, which the formats have
     for (const auto& [name, node] : nodes_of(model.model)) {
       SCOPED_TRACE(name);
       desc::SceneDesc scene;

@@ -32,8 +32,8 @@ struct MeshStage {
   bool shines = false;
 };
 
-/// Of a mesh in the file `name`, which is one of `files`. Images beside it are in the folder of
-/// `image`, if there is one.
+/// Picture of a mesh in the file `name`, which is one of `files`. Images beside it are in the
+/// folder of `image`, if there is one.
 TinyPicture mesh_picture(const std::string& name, const std::map<std::string, std::string>& files,
                          const MeshStage& stage, int samples = 1, const std::string& image = {}) {
   const std::filesystem::path folder =
@@ -86,7 +86,7 @@ const std::string kUprightSquare =
     "mtllib a.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
     "vt 0 1\nf 1/1 2/2 3/3 4/4\n";
 
-/// The same square with a material.
+/// The square with a material.
 TinyPicture obj_picture(const std::string& material, const MeshStage& stage, int samples = 1,
                         const std::string& image = {}) {
   return mesh_picture("a.obj", {{"a.obj", kUprightSquare}, {"a.mtl", "newmtl m\n" + material}},

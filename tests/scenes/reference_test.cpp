@@ -22,7 +22,7 @@ struct Reference {
   std::string scene;
   Vec2i resolution;
   int max_depth;
-  double tolerance;  ///< of the ratio of both pictures' means
+  double tolerance;  ///< tolerance of the ratio of both pictures' means
 };
 
 std::optional<Reference> find_reference(const std::filesystem::path& shared,

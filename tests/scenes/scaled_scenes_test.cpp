@@ -15,7 +15,7 @@
 namespace ajar::test {
 namespace {
 
-/// The same scene `size` times as large, lit as before.
+/// Scales the scene by `size`, with equal lighting.
 void scale(desc::SceneDesc& scene, double size) {
   const Mat4 larger = testing::scaling(size, size, size);
   const auto factor = static_cast<float>(size);
@@ -139,7 +139,7 @@ TEST(ScaledScenes, AreTheSameWhateverStandsInThem) {
     SCOPED_TRACE(name);
     const double usual = mean_of(table(1.0, 0.0, text));
     ASSERT_GT(usual, 0.02);
-    // The same numbers of paths: what differs is roundings, and edges that samples fall on.
+    // Numbers of paths are equal: differences are roundings, and edges that samples fall on.
     for (const double size : {1e-7, 1e-5, 1e-3, 1e3, 1e5}) {
       EXPECT_NEAR(mean_of(table(size, 0.0, text)) / usual, 1.0, 0.01) << size;
     }

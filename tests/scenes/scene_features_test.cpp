@@ -5,7 +5,7 @@
 #include "import/pbrt/pbrt_import.h"
 #include "session/render/render_setup.h"
 
-/// What filters are told of a scene.
+/// Auxiliary buffers of a scene.
 namespace ajar {
 namespace {
 
@@ -114,7 +114,7 @@ TEST(SceneFeatures, AreOfOneRayForAPixelWhereSomebodyWaits) {
   int whole = 0;
   for (std::size_t i = 0; i < rough.normal.size(); i += 3) {
     const Vec3 normal(rough.normal[i], rough.normal[i + 1], rough.normal[i + 2]);
-    // Of one surface, or of none: a mean of several would be shorter than either.
+    // Normals are of one surface, or of none: a mean of several would be shorter than either.
     whole += std::abs(normal.length() - 1.F) < 1e-5F || normal.length() < 1e-5F ? 1 : 0;
   }
   EXPECT_EQ(whole, static_cast<int>(rough.normal.size() / 3));

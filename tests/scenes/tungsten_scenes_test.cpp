@@ -15,7 +15,7 @@ using test::FourColors;
 using test::MayWarn;
 using test::TinyPicture;
 
-/// Of a scene that is written with ' in place of ".
+/// Picture of a scene that is written with ' in place of ".
 TinyPicture picture_of(const std::string& text, int samples, MayWarn may_warn = MayWarn::No) {
   return test::picture_of(
       [&](Warnings& warnings) {

@@ -4,9 +4,8 @@
 #include "support/render.h"
 #include "support/same_picture.h"
 
-/// What is kept for filters: of the light that chains make, another estimate
-/// (`LayerSpec::instead_of`), which they mix with theirs, and splats through boxes
-/// (`LayerSpec::box_of`).
+/// Layers for filters: another estimate of the light of chains (`LayerSpec::instead_of`), which
+/// they mix with the chains', and splats through boxes (`LayerSpec::box_of`).
 namespace ajar {
 namespace {
 
@@ -87,7 +86,7 @@ TEST(ForFilters, SplatsHaveBoxes) {
   EXPECT_LT(off, 1e-4 * all);
 }
 
-/// It is beside the picture, not in it: to the bit what is rendered without.
+/// Other estimates are beside the picture: to the bit the picture without them.
 TEST(OtherEstimates, LeaveThePictureAsItWas) {
   const test::KnownPicture known = test::known_picture("GlassAndMetal", 16);
   test::RenderOptions options = known.options;

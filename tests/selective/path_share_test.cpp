@@ -17,8 +17,8 @@
 #include "support/small_scenes.h"
 #include "transport/sources.h"
 
-/// What chains of explicit paths make of a path: the sum over all techniques of what each of them
-/// leaves, by an image of thresholds and weights.
+/// Part of a path that chains of explicit paths make: the sum over all techniques of the parts that
+/// each leaves, by an image of thresholds and weights.
 namespace ajar {
 namespace {
 
@@ -146,7 +146,7 @@ TEST_P(PathShareOf, IsTheSumOverAllTechniques) {
   }
 }
 
-/// What a state of numbers brings is of one class of paths or the other.
+/// Light of a state of numbers belongs to one of two classes of paths.
 TEST(PathClasses, MakeAllOfAStateTogether) {
   const auto scene = test::scene_from(test::small_scene("Environment").text);
   const Vec2i size = scene->camera().resolution();

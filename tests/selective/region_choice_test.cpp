@@ -12,7 +12,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// What a few samples of a pilot may decide.
+/// Decisions from a few samples of a pilot.
 namespace ajar {
 namespace {
 
@@ -78,7 +78,7 @@ class RegionChoiceTest : public ::testing::Test {
   std::vector<FoundLight> found_;
 };
 
-/// What the user is told of a picture.
+/// Warnings on a picture.
 TEST_F(RegionChoiceTest, AFireflyIsDifficultLightInItsCellAlone) {
   const Vec2i cells = (regions_.size + Vec2i(15, 15)) / 16;
   const double of_cell = 1.0 / (cells.x * cells.y);
@@ -135,8 +135,8 @@ TEST_F(RegionChoiceTest, ThresholdsRiseByDegreesAsChainsPayLess) {
   EXPECT_LT(steepest, 4.0) << "as far as one candidate is from the next";
 }
 
-/// That a pilot predicts a little less error is no reason, in the raw picture either: on some
-/// scenes it is the pilot's noise that says so.
+/// A slightly lower predicted error is not sufficient, in the raw picture either: on some scenes it
+/// is the pilot's noise.
 TEST_F(RegionChoiceTest, ChainsStandByUnlessTheyClearlyPay) {
   using Heuristics = SelectiveHeuristics;
   for (std::size_t i = 0; i < found_.size(); i += 19) found_[i] = path(i, 30.F);

@@ -88,7 +88,7 @@ TEST(SampleRates, ChangeNoExpectation) {
   }
 }
 
-/// Of the pixels of three renders, and how many camera samples these took.
+/// Error of the pixels of three renders, and their number of camera samples.
 struct ErrorAndSamples {
   double error = 0.0;
   std::uint64_t samples = 0;

@@ -13,7 +13,7 @@
 #include "support/selective.h"
 #include "support/small_scenes.h"
 
-/// What the pilots of `selective` decide: techniques, and whether chains pay.
+/// Decisions of the pilots of `selective`: techniques, and whether chains pay.
 namespace ajar {
 namespace {
 
@@ -26,7 +26,7 @@ struct Chosen {
   double light_paths;
   bool operator==(const Chosen&) const = default;
 };
-/// What the pilots of this many renders have chosen.
+/// Choices of the pilots of this many renders.
 std::vector<Chosen> chosen(const std::string& scene_name, std::uint64_t renders) {
   const Scene scene = test::builtin_scene(scene_name);
   std::vector<Chosen> all;
@@ -88,7 +88,7 @@ TEST(Selective, SaysThatThereIsNothingForChains) {
   EXPECT_NEAR(picture[3 * (6 * 16 + 8)], 0.5, 0.1);
 }
 
-/// What a few samples predict of chains there is too good by a tenth (docs/notebook/selective.md).
+/// A few samples predict too low an error of chains there, by a tenth (docs/notebook/selective.md).
 TEST(Selective, LeavesChainsOutOfACornellBox) {
   const Scene scene = test::builtin_scene("cornell");
   for (const std::uint64_t seed : {1, 2, 3}) {
@@ -141,9 +141,9 @@ TEST(Selective, LeavesChainsOutWhereTheyWouldNotPay) {
   EXPECT_LE(render.integrator->report().at("selective").at("chains").at("ray_share"), 0.05);
 }
 
-/// It could do with chains in one half of the replicates (thresholds near 0.1) what it does without
-/// in the other (1000). With seeds 3, 9, 13 and 20 it did, and had half to three quarters of the
-/// usual efficiency.
+/// Halves of the replicates could decide differently: chains in one (thresholds near 0.1), none in
+/// the other (1000). With seeds 3, 9, 13 and 20 they did, at half to three quarters of the usual
+/// efficiency.
 TEST(Selective, DecidesAlikeInBothHalves) {
   const Scene scene = test::builtin_scene("door-ajar");
   for (const std::uint64_t seed : {1, 2, 3, 9, 13, 20, 21, 23}) {

@@ -322,8 +322,7 @@ OfHalves halves_of_seeds(const Scene& scene, test::RenderOptions options, std::u
   return {summary(lefts), summary(rights)};
 }
 
-// Whatever kind of chain makes which paths: none is made twice, and none is left out. A tenth of
-// either half would show.
+// Classes of chains partition the paths: none is made twice, and none is left out.
 TEST(Selective, SharesPathsAmongChainsByWhatTheyAreLike) {
   const auto scene = scene_of_panes();
   test::RenderOptions options;
@@ -428,7 +427,7 @@ TEST(Selective, TakesPresetsAndEveryMutation) {
   }
   options.parameters = {{"mutation", "kelemen"}, {"fine-steps", "0.1"}};
   EXPECT_THROW(test::render(*scene, options), UsageError);
-  // Of other chains.
+  // Options of other chains.
   options.parameters = {{"chain", "mlt"}, {"large-step", "0.2"}};
   EXPECT_THROW(test::render(*scene, options), UsageError);
   options.parameters = {{"chain", "erpt"}, {"techniques", "bdpt"}, {"omc", "pt"}};

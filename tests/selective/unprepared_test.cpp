@@ -15,7 +15,7 @@ namespace {
 struct Case {
   std::string integrator;
   std::map<std::string, std::string> parameters;
-  int rounds;  ///< that are run before, of those there are
+  int rounds;  ///< rounds that are run before the skip
 };
 
 int rounds_of(const Scene& scene, const test::RenderOptions& options) {

@@ -13,7 +13,7 @@ namespace ajar::test {
 /// Edges of the paths below, at most.
 inline constexpr int kPathSampleDepth = 6;
 
-/// What mutations may make of them.
+/// Bounds for mutations of them.
 inline PathBounds path_sample_bounds(const Scene& scene) {
   return {{Vec2(0.F), Vec2(scene.camera().resolution())}, 1, kPathSampleDepth};
 }

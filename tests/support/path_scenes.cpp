@@ -70,9 +70,8 @@ AttributeEnd
 )");
 }
 
-/// What a strong lens makes of a lamp that shines on nothing else: light that
-/// no more than its direction tells from other light, in a spot that is bright
-/// in places.
+/// Light of a lamp through a strong lens, which shines on nothing else: only its direction tells it
+/// from other light, in a spot that is bright in places.
 const std::string kSpotOnGlass = R"(
 LightSource "spot" "point from" [0.1 2.3 0.2] "point to" [0 1.1 0.1] "rgb I" [8 7 6]
   "float coneangle" [22] "float conedeltaangle" [2]
