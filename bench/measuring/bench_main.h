@@ -7,7 +7,7 @@
 #include "measuring/bench_scenes.h"
 #include "measuring/measured_scene.h"
 
-/// What the main programs of studies have in common.
+/// Common parts of the main programs of studies.
 namespace ajar::bench {
 
 /// `run`, with signals counted and errors told as those of `name`. Returns what it does, or the
