@@ -1,6 +1,6 @@
-// Whatever a stranger makes of a checkpoint of ours is refused, or can be shown, merged and
-// rendered on. An input is a list of changes to a checkpoint that is made at the start, so that
-// inputs do not get old when the format of checkpoints changes. Checksums are made right.
+// Corrupt checkpoints are refused, or can be shown, merged and rendered on. An input is a list of
+// changes to a checkpoint that is made at the start, so that inputs stay valid when the format of
+// checkpoints changes. Checksums are corrected.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -175,7 +175,7 @@ void change(std::vector<char>& file, Input& input) {
 
 struct ChangedFile {
   std::vector<char> bytes;
-  Base& base;  ///< that it came from
+  Base& base;  ///< checkpoint that it came from
 };
 ChangedFile changed_file(std::span<const std::uint8_t> data) {
   Input input(data);

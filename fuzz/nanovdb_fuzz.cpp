@@ -28,7 +28,7 @@ std::string good_file() {
   return stream.str().substr(0, static_cast<std::size_t>(stream.tellp()));
 }
 
-/// What is not zero, and so has a meaning, is in few places of a large file.
+/// Nonzero bytes, which have a meaning, are in few places of a large file.
 std::vector<std::size_t> places_of_numbers(const std::string& file) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < file.size(); i += 4) {
