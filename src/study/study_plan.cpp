@@ -245,7 +245,7 @@ std::vector<std::uint64_t> read_seeds(const JsonNode& study) {
   return seeds;
 }
 
-/// Common folder name of several names: some file systems take "Pool" for "pool".
+/// Lower-case folder name: some file systems take "Pool" for "pool".
 std::string folder_of(const std::string& name) {
   std::string folder = file_name(name);
   for (char& c : folder) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
