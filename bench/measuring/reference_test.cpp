@@ -80,7 +80,7 @@ TEST(Reference, NoiseIsNotInAPicturesOwnError) {
   }
 }
 
-TEST(Reference, OwnErrorKnowsFirefliesOfThePictureFromThoseOfReferences) {
+TEST(Reference, OwnErrorDistinguishesFirefliesOfPictureAndReferences) {
   std::vector<float> picture(kValues, 1.F);
   std::vector<float> first = picture;
   const std::vector<float> second = picture;

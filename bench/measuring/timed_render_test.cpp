@@ -24,7 +24,7 @@ class TimedRenderTest : public ::testing::Test {
   const Variant variant_ = parse_variant("pt");
 };
 
-TEST_F(TimedRenderTest, UsesTheTimeItIsGiven) {
+TEST_F(TimedRenderTest, UsesItsTimeLimit) {
   const InterruptCount nobody{0};
   const TimedRender render = render_for({0.4, 2}, *scene_, variant_, settings_, nobody);
   EXPECT_GE(render.cpu_seconds, 0.4);
@@ -38,7 +38,7 @@ TEST_F(TimedRenderTest, UsesTheTimeItIsGiven) {
   EXPECT_EQ(render.standard_error.size(), values);
 }
 
-TEST_F(TimedRenderTest, ObeysTheUser) {
+TEST_F(TimedRenderTest, StopsOnRequest) {
   const InterruptCount user{1};
   const TimedRender render = render_for({1e6, 1}, *scene_, variant_, settings_, user);
   EXPECT_LT(render.cpu_seconds, 60.0);

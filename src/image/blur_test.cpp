@@ -38,7 +38,7 @@ TEST(Blur, KeepsAnEvenPicture) {
 }
 
 /// Premise of the error by scale: a Gaussian leaves 1/(4πσ²) of independent noise.
-TEST(Blur, LeavesOfIndependentNoiseWhatTheoryLeaves) {
+TEST(Blur, ReducesIndependentNoiseByTheTheoreticalFactor) {
   std::mt19937 random(3);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same test each time
   std::normal_distribution<float> normal;
   constexpr Vec2i kLarge{400, 400};

@@ -36,7 +36,7 @@ float majority_of(const std::vector<unsigned>& numbers) {
   return majority_numbers(film, "object-id")[kPictureWidth + 1];
 }
 
-TEST(MajorityNumbers, AreWhatMostSamplesSaw) {
+TEST(MajorityNumbers, AreTheMostFrequentNumbers) {
   EXPECT_EQ(majority_of({7}), 7.F);
   EXPECT_EQ(majority_of({7, 3, 3}), 3.F);
   EXPECT_EQ(majority_of({1, 2, 3, 4, 5, 6, 7, 8, 8}), 8.F);
@@ -54,7 +54,7 @@ TEST(MajorityNumbers, AreThoseOfNothingWhereTheFilmHoldsNone) {
   }
 }
 
-TEST(MajorityNumbers, CountWhatSeesNothing) {
+TEST(MajorityNumbers, CountSamplesThatHitNothing) {
   EXPECT_EQ(majority_of({0, 5, 0, 5, 0}), 0.F);
   EXPECT_EQ(majority_of({0, 5, 5}), 5.F);
 }

@@ -65,7 +65,7 @@ TEST(Metrics, QuantileIsThatOfThePixels) {
   EXPECT_EQ(relative_mse_quantile(image, reference, 0.5), 0.0);
 }
 
-TEST(Metrics, ErrorByScaleForgetsWhatABlurForgets) {
+TEST(Metrics, ErrorByScaleIgnoresBlurredDetail) {
   constexpr Vec2i kSize{64, 64};
   const std::vector<float> reference(std::size_t{3} * 64 * 64, 1.F);
   std::vector<float> chequered = reference;
@@ -87,7 +87,7 @@ TEST(Metrics, TrimmingLeavesFewPixelsAsTheyAre) {
   EXPECT_NEAR(relative_mse_trimmed(kImage, kReference, 2), relative_mse(kImage, kReference), 1e-12);
 }
 
-TEST(Metrics, DoNotHideWhatIsNoNumber) {
+TEST(Metrics, PropagateNan) {
   EXPECT_TRUE(
       std::isnan(mse(std::vector<float>{std::nanf(""), 1.F}, std::vector<float>{1.F, 1.F})));
 }

@@ -126,7 +126,7 @@ TEST(RelativeError, OfFewFirefliesIsABound) {
   EXPECT_LE(too_high, bounds / 20);
 }
 
-TEST(RelativeError, SaysWhenFewPlacesDecide) {
+TEST(RelativeError, FlagsErrorsDominatedByFewPixels) {
   Replicates replicates = noisy(room(), [generator = std::mt19937(1)]() mutable {
     return std::normal_distribution<double>(1.0, 0.1)(generator);
   });

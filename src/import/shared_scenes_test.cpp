@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(All, SharedMesh,
                                            "teapot-full/models/Mesh001.ply",
                                            "water-caustic/models/Mesh001.ply"));
 
-TEST(SharedScenes, LoadWhateverTheirVersion) {
+TEST(SharedScenes, LoadInEitherVersion) {
   if (!fs::exists(shared_scenes_folder())) GTEST_SKIP() << kNoSharedScenes;
   int loaded = 0;
   for (const fs::directory_entry& entry :

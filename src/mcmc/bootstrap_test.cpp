@@ -67,7 +67,7 @@ TEST(ChooseSeeds, ExpectedCountsAreInProportion) {
   }
 }
 
-TEST(ChooseSeeds, HandlesTheExtremes) {
+TEST(ChooseSeeds, HandlesExtremeWeights) {
   EXPECT_TRUE(choose_seeds({}, 5, 0.5).empty());
   EXPECT_TRUE(choose_seeds(std::vector<double>{0.0, 0.0}, 5, 0.5).empty());
   EXPECT_TRUE(choose_seeds(std::vector<double>{1.0}, 0, 0.5).empty());
@@ -83,7 +83,7 @@ TEST(ChooseSeeds, HandlesTheExtremes) {
   EXPECT_EQ(choose_seeds(std::vector<double>(100001, 0.1), 17, last).size(), 17U);
 }
 
-TEST(ChooseSeeds, RefusesWhatIsNoWeight) {
+TEST(ChooseSeeds, RefusesInvalidWeights) {
   for (const double bad : {kNan, kInfinity, -1.0}) {
     const std::vector<double> weights{1.0, bad};
     EXPECT_THROW(choose_seeds(weights, 1, 0.5), std::invalid_argument);
@@ -145,7 +145,7 @@ TEST(Apportion, GivesQuotasRoundedAndAnExactTotal) {
   }
 }
 
-TEST(Apportion, HandlesTheExtremes) {
+TEST(Apportion, HandlesExtremeShares) {
   using Counts = std::vector<std::size_t>;
   EXPECT_EQ(apportion(std::vector<double>{0.0, 0.0}, 9), (Counts{0, 0}));
   EXPECT_EQ(apportion({}, 9), Counts{});

@@ -40,7 +40,7 @@ TEST(Path, CopiesOverOneAsLongWithoutAllocation) {
   }
 }
 
-TEST(Path, EdgesAreInterruptedByWhatIsPutBetween) {
+TEST(Path, EdgesAreInterruptedByInsertedVertices) {
   const auto scene = plain_scene();
   RayCounts rays;
   int checked = 0;
@@ -76,7 +76,7 @@ TEST(PathInversion, IsEmptyWhereTheTechniqueCannotMakeThePath) {
   }
 }
 
-TEST(PathInversion, TakesWhatIsForgottenFromFreshNumbers) {
+TEST(PathInversion, DrawsLostNumbersAfresh) {
   const auto scene = plain_scene();
   const PathSamplerSettings settings = testing::all_techniques();
   for (const auto& [path, technique] : recorded(*scene, settings, 50)) {
@@ -96,7 +96,7 @@ TEST(PathInversion, TakesWhatIsForgottenFromFreshNumbers) {
   }
 }
 
-TEST(PathArchive, RefusesWhatTheSceneDoesNotHave) {
+TEST(PathArchive, RefusesUnknownIds) {
   const auto scene = plain_scene();
   const Path path = recorded(*scene, testing::all_techniques(), 50).front().first;
   const auto load = [&](const std::string& bytes) {

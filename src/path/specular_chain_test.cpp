@@ -309,7 +309,7 @@ std::vector<Vec3d> search(const Scene& scene, const Case& c, const Vec3d& target
 }
 
 /// A walk comes to one of the chains that there are, and back to that it set off from.
-TEST(ManifoldWalk, ComesToAChainThatASearchFindsAndBack) {
+TEST(ManifoldWalk, ReachesTheChainOfASearchAndReturns) {
   for (const Case& c : cases()) {
     if (!c.name.ends_with("Ball") && c.name != "Slab" && !c.name.ends_with("Waves")) continue;
     if (c.name == "MirrorBall" || c.name == "InsideOfBall") continue;
@@ -345,7 +345,7 @@ TEST(ManifoldWalk, ComesToAChainThatASearchFindsAndBack) {
   }
 }
 
-TEST(ManifoldWalk, GivesUpWhereNoChainLeads) {
+TEST(ManifoldWalk, GivesUpWithoutASolution) {
   const Case c = cases().front();
   const auto scene = scene_of(c);
   const auto from = trace(*scene, c, Vec3d(c.direction));

@@ -57,7 +57,7 @@ void expect_box(const Box3& box, const Vec3& low, const Vec3& high) {
   EXPECT_LT(length(box.max - high), 1e-4F) << box.max;
 }
 
-TEST(Geometry, KnowsTheBoxOfWhatEmitsNothing) {
+TEST(Geometry, HasTheBoundsOfItsReceivers) {
   EXPECT_TRUE(world_of({}).geometry->receivers().isEmpty());
   desc::Shape sun = shape(testing::sphere_node(), translation(0, 0, 90));
   sun.emission = desc::Emission{{}, desc::emission_node("area")};
@@ -193,7 +193,7 @@ TEST(SelfIntersection, InstancesFarAway) {
 }
 
 /// Objects far from their own origin are rounded there, by more than where its instance brings it.
-TEST(SelfIntersection, InstancesOfWhatIsFarFromItsOwnOrigin) {
+TEST(SelfIntersection, InstancesFarFromTheirObjectOrigin) {
   const Mat4 far = rotation({3, 1, 2}, 0.4) * translation(5000, 4000, 3000);
   desc::Mesh triangle = square(1.F);
   triangle.indices.pop_back();
@@ -423,7 +423,7 @@ desc::Shape curve_shape(const std::string& type) {
   return shape(desc::shape_node("curves", {{"type", type}, {"curves", curve}}));
 }
 
-TEST(Curves, AreMetAtTheirWidthWithNormalsAndCoordinates) {
+TEST(Curves, AreHitAtTheirWidthWithNormalsAndCoordinates) {
   for (const std::string type : {"flat", "cylinder", "ribbon"}) {
     const World world = world_of({curve_shape(type)});
     const auto middle = world.hit({0, 0.05F, 3}, {0, 0, -1});
@@ -467,7 +467,7 @@ TEST(FaultyShapes, SingularTransformsAreDroppedWithAWarning) {
   EXPECT_FALSE(world.hit({0, 0, 5}, {0, 0, -1}));
 }
 
-TEST(FaultyShapes, AreToldOfInTheOrderOfTheFile) {
+TEST(FaultyShapes, AreReportedInTheOrderOfTheFile) {
   std::vector<desc::Shape> shapes;
   const auto file = std::make_shared<const std::string>("a.pbrt");
   for (int i = 0; i < 400; ++i) {

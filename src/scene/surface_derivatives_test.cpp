@@ -82,7 +82,7 @@ std::vector<Case> cases() {
 }
 
 /// Rays beside a ray meet the surface, and its normal, where the derivatives say.
-TEST(SurfaceDerivatives, AreThoseOfHitsBeside) {
+TEST(SurfaceDerivatives, MatchNeighbouringHits) {
   for (Case& c : cases()) {
     SCOPED_TRACE(c.name);
     const testing::World world(std::move(c.scene));
@@ -109,7 +109,7 @@ TEST(SurfaceDerivatives, AreThoseOfHitsBeside) {
   }
 }
 
-TEST(SurfaceDerivatives, AreNotOfWhatIsNotSmooth) {
+TEST(SurfaceDerivatives, AreEmptyWhereTheSurfaceIsNotSmooth) {
   auto curves = std::make_shared<desc::Curves>();
   curves->control_points = {{-2.F, 0.F, 0.F}, {-1.F, 0.F, 0.F}, {1.F, 0.F, 0.F}, {2.F, 0.F, 0.F}};
   curves->widths = {1.F, 1.F, 1.F, 1.F};

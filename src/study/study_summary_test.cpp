@@ -149,7 +149,7 @@ TEST_F(Summary, PutsEstimatedErrorsBesideTrueOnes) {
       << cells[cells.size() - 2];
 }
 
-TEST_F(Summary, LeavesOutWhatHasNoRuns) {
+TEST_F(Summary, LeavesOutRowsWithoutRuns) {
   result_.runs.erase(result_.runs.begin());
   std::erase_if(result_.runs, [](const FinishedRun& finished) { return finished.run.method == 0; });
   const std::vector<SummaryRow> rows = summarise(plan_, result_);

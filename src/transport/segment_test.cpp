@@ -121,7 +121,7 @@ TEST(FreeFlights, AreWorthTransmittanceOverTheMeanOfTheDensitiesByLane) {
   }
 }
 
-TEST(FreeFlights, OfGreyMediaKnowNoLane) {
+TEST(FreeFlights, OfGreyMediaHaveNoLane) {
   const Medium medium("m", Spectrum(0.1F), Spectrum(0.3F), 0.F);
   Segment segment;
   segment.scattering_depth = Spectrum(0.7F);

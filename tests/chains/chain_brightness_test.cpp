@@ -128,7 +128,7 @@ Scatter scatter(const Scene& scene, test::RenderOptions options, int seeds) {
 
 class OverSeeds : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(OverSeeds, BrightnessScattersAsErrorBarsSay) {
+TEST_P(OverSeeds, BrightnessScattersWithinErrorBars) {
   constexpr int kSeeds = 100;
   // As published, mmlt knows b from the bootstrap alone, to which caustics are rare.
   const bool is_published_mmlt = GetParam() == "mmlt";
@@ -228,7 +228,7 @@ TEST_P(RareLight, IsRightOnAverageThoughTheBootstrapMostlyMissesIt) {
 // As above where no population has found any: the plain samples in place of the missing chains'
 // large steps must have their weight, w of the light (see `ChainItems::refine_b`). In the test
 // above they are a tenth of the light, as much as its error.
-TEST(RareLight, ChainsThatAreNotFoundAreReplacedByPlainSamples) {
+TEST(RareLight, MissingChainsAreReplacedByPlainSamples) {
   const auto scene = rarely_lit(0.015);
   test::RenderOptions options = rare_options();
   const Estimate truth = rare_truth(*scene);

@@ -101,7 +101,7 @@ struct LitCase {
 };
 class Lit : public ::testing::TestWithParam<LitCase> {};
 
-TEST_P(Lit, IsAsBrightAsMonteCarloSays) {
+TEST_P(Lit, HasTheBrightnessOfMonteCarlo) {
   const LitCase& lit = GetParam();
   const auto scene = scene_from(pbrt_scene(kCamera, 16, 16, lit.world));
   test::RenderOptions options;
@@ -294,7 +294,7 @@ TEST(OneSample, OfPathsOfOneReplicateIsRightOnAverage) {
   }
 }
 
-TEST(DirectLight, IsNobodysMonteCarlosOrTheChains) {
+TEST(DirectLight, BelongsToMonteCarloOrTheChains) {
   const auto scenes = test::small_scenes();
   const auto scene = scene_from(scenes.front().text);
   for (const char* integrator : kNumberChains) {
@@ -368,7 +368,7 @@ TEST(ChainLayers, DensityCountsPlainSamplesAsVisitsWhateverTheyWeigh) {
   }
 }
 
-TEST(ChainReports, SayWhatMovesCost) {
+TEST(ChainReports, HaveTheCostOfMoves) {
   const auto scene = scene_from(pbrt_scene(
       kCamera, 24, 16,
       kPoints + kFloor +
@@ -446,7 +446,7 @@ TEST(MutationsOfPaths, AreNeverTriedWithAWeightOfZero) {
 }
 
 /// Steps for which no mutation is are none of the first mutation.
-TEST(MutationsOfPaths, ThatAreForNoPathLeaveStepsIdle) {
+TEST(MutationsOfPaths, UnsuitableOnesLeaveStepsIdle) {
   const auto scene = scene_from(pbrt_scene(kCamera, 12, 8, kPoints + kFloor));
   test::RenderOptions options = options_of("mlt");
   options.samples = 8;
@@ -483,7 +483,7 @@ TEST(MutationsOfPaths, AreRefusedIfAllAreSwitchedOff) {
   }
 }
 
-TEST(ChainReports, SayWhatChainsDid) {
+TEST(ChainReports, HaveTheStatisticsOfChains) {
   const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
   test::RenderOptions options = options_of("mmlt+");
   options.max_depth = 5;

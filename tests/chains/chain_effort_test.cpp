@@ -72,11 +72,11 @@ TEST_F(ChainEffortTest, IsForTheLeastSquaredError) {
   EXPECT_GT(mutations_with_few_bad_pixels(false), 2.0);
 }
 
-TEST_F(ChainEffortTest, IsForTheLeastThatCanBeSeen) {
+TEST_F(ChainEffortTest, IsForTheLeastVisibleError) {
   EXPECT_LT(mutations_with_few_bad_pixels(true), 0.5);
 }
 
-TEST_F(ChainEffortTest, GivesReplicatesTheirShares) {
+TEST_F(ChainEffortTest, IsDividedAmongReplicates) {
   constexpr std::size_t kChains = 4;
   const std::uint64_t usual = effort_.steps(7, kChains, 1.0);
   EXPECT_NEAR(static_cast<double>(usual), static_cast<double>(pixels_) / 2 / kChains, 1.0);

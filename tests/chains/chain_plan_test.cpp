@@ -25,7 +25,7 @@ TEST_F(ChainPlanTest, RegionsMayLeaveChainsLessThanAWholePicture) {
   EXPECT_EQ(thresholds(SelectiveSettings{}), (std::vector{0.1, 0.3, 1.0, 3.0, 10.0, 30.0}));
 }
 
-TEST_F(ChainPlanTest, ThresholdsFollowWhatTheUserSays) {
+TEST_F(ChainPlanTest, ThresholdsFollowTheUser) {
   EXPECT_EQ(thresholds({}, {{"split", "2"}}), (std::vector{2.0}));
   EXPECT_EQ(thresholds(SelectiveSettings{}, {{"split", "2"}}), (std::vector{2.0, 6.0, 20.0}));
   EXPECT_TRUE(thresholds(SelectiveSettings{}, {{"split", "0"}}).empty());

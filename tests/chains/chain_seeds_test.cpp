@@ -79,7 +79,7 @@ TEST(SeedsOfUnequalWeight, WalkEquallyFarFromABootstrap) {
 
 // Light that a camera sample finds by luck starts as many chains as it stands for. When it was one
 // long chain instead, the dark stripes were 0.3 too bright.
-TEST(SeedsOfUnequalWeight, WalkEquallyFarFromWhatIsFound) {
+TEST(SeedsOfUnequalWeight, WalkEquallyFarFromFoundPaths) {
   const auto scene = test::stripes(
       32, 24,
       "AttributeBegin Translate 0 20 -10\n"

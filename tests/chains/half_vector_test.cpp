@@ -142,7 +142,7 @@ Path moved(const Path& x, const HalfVectorCase& c, PathMutation& mutation) {
 
 /// The mean over proposals of 1/T is the size of the region that they are in, if T is their
 /// density: here the product of discs, which have the same area on a sphere as on a plane.
-TEST_P(HalfVector, MovesAsDenselyAsItSays) {
+TEST_P(HalfVector, FollowsItsDensity) {
   const HalfVectorCase& c = GetParam();
   const auto scene = test::scene_from(test::pbrt_scene(kFrontCamera, 48, 32, c.things));
   const PathBounds bounds = test::path_sample_bounds(*scene);

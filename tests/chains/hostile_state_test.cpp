@@ -98,7 +98,7 @@ std::string bytes_of(Value value) {
   return bytes;
 }
 
-TEST(KeptState, IsNoneOfMethodsWithoutChains) {
+TEST(KeptState, IsEmptyWithoutChains) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
   for (const auto& [name, reason] : test::those_without_chains("they keep some")) {
     const IntegratorInfo& info = find_integrator(name);

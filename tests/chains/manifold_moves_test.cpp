@@ -259,7 +259,7 @@ Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer
 
 /// Fog is where vertices of paths can lie outside of all surfaces, from where rays of walks set off
 /// nearer: through the same fog.
-TEST(ManifoldWalk, KnowsTheMediumThatItComesFrom) {
+TEST(ManifoldWalk, StartsInItsMedium) {
   const auto scene = test::scene_from(test::pbrt_scene(
       "LookAt 0 1 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [40]", 8, 8, R"(
 MakeNamedMedium "fog" "string type" "homogeneous" "rgb sigma_s" [0.1 0.1 0.1]

@@ -148,7 +148,7 @@ void join_by_manifolds(const Scene& scene, std::uint32_t tries, Tiles& joined,
   }
 }
 
-TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
+TEST_P(ManifoldSeedsOf, AddTheLightMissedByUnidirectionalHits) {
   const auto scene = test::scene_from(GetParam().text);
   const SpecularPhotons photons(*scene);
   const PathBounds bounds = test::path_sample_bounds(*scene);
@@ -178,7 +178,7 @@ TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
 
 /// A seed counts for many guesses if its chain is hard to find. But where a ray may run into the
 /// lamp, it counts for no more than such a ray does.
-TEST(ManifoldSeeds, OutshineNoRayThatRunsIntoTheLamp) {
+TEST(ManifoldSeeds, AreNoBrighterThanUnidirectionalHits) {
   const auto scene = test::scene_from(over_water(test::lamp_over_floor() + waves()));
   const SpecularPhotons photons(*scene);
   const PathBounds bounds = test::path_sample_bounds(*scene);
@@ -221,7 +221,7 @@ std::string small_sphere(const char* at, double radius, double intensity = 1.0) 
 
 class ManifoldSeedsOfPoints : public ::testing::TestWithParam<PointCase> {};
 
-TEST_P(ManifoldSeedsOfPoints, BringWhatSmallLampsBring) {
+TEST_P(ManifoldSeedsOfPoints, MatchSmallLamps) {
   const auto point = test::scene_from(over_water(GetParam().point + GetParam().world));
   const auto small = test::scene_from(over_water(GetParam().small + GetParam().world));
   Tiles a(*point);

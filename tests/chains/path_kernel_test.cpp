@@ -117,7 +117,7 @@ class PathKernelStep : public ::testing::Test {
   std::vector<Path> found_;
 };
 
-TEST_F(PathKernelStep, GoesToAPathThatIsAsLikelyBothWays) {
+TEST_F(PathKernelStep, AcceptsSymmetricProposals) {
   const Result result = step({});
   EXPECT_GT(result.probability, 0.0);
   EXPECT_EQ(result.statistics.idle_steps(), 0U);
@@ -126,7 +126,7 @@ TEST_F(PathKernelStep, GoesToAPathThatIsAsLikelyBothWays) {
   EXPECT_EQ(result.statistics.moves[0].without_density, 0U);
 }
 
-TEST_F(PathKernelStep, WithoutASuitableMutationIsOneOfNone) {
+TEST_F(PathKernelStep, WithoutASuitableMutationIsIdle) {
   Claims claims;
   claims.suits_old = false;
   const Result result = step(claims);
@@ -145,7 +145,7 @@ TEST_F(PathKernelStep, ToALitPathThatDoesNotSuitIsNotDark) {
   EXPECT_EQ(result.statistics.zero, 0U);
 }
 
-TEST_F(PathKernelStep, WithoutAWayBackIsRefusedAndNoMistake) {
+TEST_F(PathKernelStep, WithoutAReverseIsRejectedAndNoError) {
   Claims claims;
   claims.log_back = kNever;
   const Result result = step(claims);
@@ -153,7 +153,7 @@ TEST_F(PathKernelStep, WithoutAWayBackIsRefusedAndNoMistake) {
   EXPECT_EQ(result.statistics.moves[0].without_density, 0U);
 }
 
-TEST_F(PathKernelStep, WhoseDensityIsNoneIsRefusedAndCounted) {
+TEST_F(PathKernelStep, OfNanDensityIsRejectedAndCounted) {
   for (const auto& [forth, back] :
        {std::pair(kNever, 0.0), std::pair(kEndless, 0.0), std::pair(kNoNumber, 0.0),
         std::pair(0.0, kEndless), std::pair(0.0, kNoNumber), std::pair(kNoNumber, kNever)}) {
@@ -167,7 +167,7 @@ TEST_F(PathKernelStep, WhoseDensityIsNoneIsRefusedAndCounted) {
   }
 }
 
-TEST_F(PathKernelStep, ToLightThatIsNoNumberIsRefusedAndCounted) {
+TEST_F(PathKernelStep, ToNanLightIsRejectedAndCounted) {
   const Result not_a_number = step({}, kNoNumber);
   EXPECT_EQ(not_a_number.probability, 0.0);
   EXPECT_EQ(not_a_number.statistics.discarded_nan, 1U);
@@ -181,7 +181,7 @@ TEST_F(PathKernelStep, ToLightThatIsNoNumberIsRefusedAndCounted) {
   EXPECT_EQ(dark.statistics.moves[0].dark, 1U);
 }
 
-TEST(MoveRecord, AddsWhatItCounts) {
+TEST(MoveRecord, IsSummable) {
   MoveRecord record;
   const std::array<Candidate, 1> candidates{};
   Proposal proposal{0, candidates};

@@ -226,7 +226,7 @@ Path direct_path(const Scene& scene) {
   return *found;
 }
 
-TEST(PathMutations, HaveTheDensityThatTheySay) {
+TEST(PathMutations, FollowTheirDensity) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
   const PathBounds bounds = bounds_of(*scene);
   const Path x = direct_path(*scene);
@@ -312,7 +312,7 @@ TEST(PathMutations, MakeWholePathsAsTheTechniquesDo) {
 }
 
 /// Proposals of mutations have open edges and the kept vertices, and the reverse move is known.
-TEST(PathMutations, KeepVerticesAndKnowTheWayBack) {
+TEST(PathMutations, KeepVerticesAndAreReversible) {
   for (const char* name :
        {"GlassAndMetal", "NestedDielectrics", "Orthographic", "Distant", "Fog"}) {
     const auto scene = test::scene_from(test::small_scene(name).text);

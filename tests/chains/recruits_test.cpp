@@ -66,7 +66,7 @@ class Comparison final : public StrongPathSinks {
   double light_paths_;
 };
 
-TEST(Recruits, AreStatesOfChainsThatAreWorthWhatWasFound) {
+TEST(Recruits, AreStatesOfChainsWithTheirWeight) {
   for (const char* name : {"Room", "GlassAndMetal"}) {
     const auto scene = test::scene_from(test::small_scene(name).text);
     for (const Setting& setting : {Setting{"bdpt", "1"}, Setting{"bdpt", "0.3"},
@@ -118,7 +118,7 @@ Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer
 /// Camera samples and manifold connections together agree with the bootstrap of `mlt`, which tries
 /// connections eight times as often: hits that were counted whole, or a wrong number of tries,
 /// would show.
-TEST(Recruits, ShareWhatNoConnectionMakesWithManifoldConnections) {
+TEST(Recruits, ShareUnconnectablePathsWithManifoldConnections) {
   const auto scene = test::scene_from(small_lamp_over_water());
   Moments all;
   Moments hits;
@@ -166,7 +166,7 @@ TEST(Recruits, ShareWhatNoConnectionMakesWithManifoldConnections) {
 }
 
 /// Few chains leave what there is to explore to luck, whatever the first guess of their effort.
-TEST(Recruits, AreForManyChainsUnlessThoseStandBy) {
+TEST(Recruits, AreForManyChainsUnlessForFirefliesOnly) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
   RenderSettings settings = test::settings_of(*scene, {.replicates = 4, .max_depth = 6});
   const auto chains_of = [&](Vec2i resolution, double mutations, bool standby) {

@@ -25,7 +25,7 @@ int count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-TEST_F(Cli, EveryMethodSaysThatItsPictureIsBlack) {
+TEST_F(Cli, EveryMethodReportsABlackPicture) {
   file("walled.pbrt", kWalledLamp);
   file("unlit.pbrt", "Camera \"perspective\" WorldBegin Shape \"sphere\" WorldEnd");
   for (const std::string& method : integrators()) {
@@ -40,7 +40,7 @@ TEST_F(Cli, EveryMethodSaysThatItsPictureIsBlack) {
   }
 }
 
-TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
+TEST_F(Cli, ChainsWithoutLightWarnAndRenderBlack) {
   const fs::path scene = file("dark.pbrt", kWalledLamp);
   for (const char* integrator : {"mmlt+", "pssmlt+", "mlt", "erpt"}) {
     const Outcome outcome =
@@ -58,7 +58,7 @@ TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
   }
 }
 
-TEST_F(Cli, StatisticsTellWhatChainsDid) {
+TEST_F(Cli, StatisticsCoverChains) {
   const Outcome outcome =
       render({"--integrator", "mmlt+", "--spp", "32", "--depth", "6", "--set", "bootstrap=20000",
               "--set", "split=0", "--stats", "stats.json", "-o", "a.pfm"});

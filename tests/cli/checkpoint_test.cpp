@@ -92,7 +92,7 @@ TEST_F(CheckpointCli, FinishedRenderIsShownAgainWithoutRendering) {
   EXPECT_EQ(bytes("c"), before);
 }
 
-TEST_F(CheckpointCli, RenderGoesOnFromItsCheckpointIfThereIsOne) {
+TEST_F(CheckpointCli, RenderResumesFromItsCheckpoint) {
   ASSERT_EQ(render({"--spp", "24", "-o", "alone.pfm"}).exit_code, 0);
   const auto begin_or_go_on = [&](const char* spp, const char* output) {
     return render({"--spp", spp, "-o", output, "--checkpoint", "c", "--resume", "c"});
@@ -106,7 +106,7 @@ TEST_F(CheckpointCli, RenderGoesOnFromItsCheckpointIfThereIsOne) {
   EXPECT_TRUE(contains(other.err, "seed 0, not seed 3")) << other.err;
 }
 
-TEST_F(CheckpointCli, WhatIsNoUsableCheckpointIsRefused) {
+TEST_F(CheckpointCli, UnusableCheckpointsAreRefused) {
   EXPECT_EQ(run({"resume", "absent"}).exit_code, 4);
   file("text", "no checkpoint, but longer than the header of one, so that there is some to read");
   EXPECT_EQ(run({"resume", "text"}).exit_code, 4);
@@ -139,7 +139,7 @@ TEST_F(CheckpointCli, WhatIsNoUsableCheckpointIsRefused) {
   }
 }
 
-TEST_F(CheckpointCli, WhatAStrangerHasMadeOfOneIsRefused) {
+TEST_F(CheckpointCli, CorruptCheckpointsAreRefused) {
   ASSERT_EQ(render({"--spp", "4", "--checkpoint", "c", "-o", "a.pfm"}).exit_code, 0);
   const std::string good = bytes("c");
   const auto expect_refused = [&](std::size_t place, std::string_view value) {
@@ -241,7 +241,7 @@ TEST_F(CheckpointCli, AnInterruptedPreparationLeavesAPictureAndNoCheckpoint) {
   EXPECT_FALSE(fs::exists(folder_ / "c"));
 }
 
-TEST_F(CheckpointCli, TwoSignalsWhilePreparingAreAnsweredInWords) {
+TEST_F(CheckpointCli, TwoSignalsWhilePreparingHaveMessages) {
   const pid_t child = start({"render", "builtin:cornell", "--integrator", "selective",
                              "--resolution", "640x400", "--spp", "1000", "--threads", "1",
                              "--progress", "json", "-o", "a.exr", "--checkpoint", "c"});

@@ -26,7 +26,7 @@ class DenoiseCli : public Cli {
   Image image(const std::string& name) const { return read_image(file(name).string()); }
 };
 
-TEST_F(DenoiseCli, FiltersWhatTheEyeSeesAndKeepsWhatWasRendered) {
+TEST_F(DenoiseCli, FiltersTheDisplayedPictureAndKeepsTheRawOne) {
   ASSERT_EQ(cornell({"-o", "a.exr", "-o", "a.png", "--stats", "a.json"}).exit_code, 0);
   ASSERT_EQ(cornell({"--denoise", "none", "-o", "b.exr", "-o", "b.png"}).exit_code, 0);
   const Image a = image("a.exr");
@@ -60,7 +60,7 @@ TEST_F(DenoiseCli, RendersUntilTheDenoisedPictureIsGood) {
 }
 
 /// Errors of the unfiltered picture, which a checkpoint keeps, say nothing of the filtered one.
-TEST_F(DenoiseCli, LooksAnewWhereAnotherErrorIsAskedFor) {
+TEST_F(DenoiseCli, ChecksAgainForAnotherTargetError) {
   ASSERT_EQ(cornell({"--integrator", "pt", "--denoise", "builtin", "--spp", "100000",
                      "--target-error", "30%", "--checkpoint", "a.checkpoint", "-o", "a.exr"})
                 .exit_code,
@@ -90,14 +90,14 @@ TEST_F(DenoiseCli, FiltersPicturesOfEarlierRenders) {
   EXPECT_EQ(image("c.exr").rgb("denoised"), b.rgb("denoised"));
 }
 
-TEST_F(DenoiseCli, SaysWhatItDoesNotKnow) {
+TEST_F(DenoiseCli, ReportsUnknownNames) {
   ASSERT_EQ(cornell({"--denoise", "none", "-o", "a.exr"}).exit_code, 0);
   const Outcome outcome = run({"denoise", "a.exr", "-o", "b.png"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.err.find("does not know the surfaces"), std::string::npos) << outcome.err;
 }
 
-TEST_F(DenoiseCli, RefusesWhatMakesNoSense) {
+TEST_F(DenoiseCli, RefusesContradictoryOptions) {
   ASSERT_EQ(cornell({"-o", "a.exr", "-o", "a.png"}).exit_code, 0);
   struct Case {
     std::vector<std::string> arguments;
@@ -140,7 +140,7 @@ TEST_F(DenoiseCli, AsksForMemoryBeforeItIsTaken) {
   }
 }
 
-TEST_F(DenoiseCli, GoesOnAsBeforeAndMerges) {
+TEST_F(DenoiseCli, SurvivesResumingAndMerging) {
   for (const char* seed : {"1", "2"}) {
     ASSERT_EQ(cornell({"--seed", seed, "--checkpoint", std::string(seed) + ".checkpoint", "-o",
                        std::string(seed) + ".exr"})

@@ -77,7 +77,7 @@ bool is_for_tests(const std::string& file) {
 /// The list of methods is what the others learn of them by.
 bool is_exception(const std::string& file) { return file == "integrator/registry.cpp"; }
 
-TEST(Rooms, IncludeOnlyWhatTheyMay) {
+TEST(Rooms, IncludeOnlyAllowedRooms) {
   const fs::path src = fs::path(AJAR_SOURCE_DIR) / "src";
   const std::regex include("^#include \"([^\"]+)\"");
   std::size_t includes = 0;

@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, LanesOfMedia,
                          ::testing::Values("pt", "ibpt", "bdpt", "pssmlt", "mmlt", "mlt"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(LanesOfMedia, AreWhatGreyMediaAre) {
+TEST_P(LanesOfMedia, MatchGreyMedia) {
   const std::array<double, 3> sigma_s = {0.5, 1.0, 2.5};
   const std::array<double, 3> sigma_a = {0.3, 0.1, 0.4};
   const bool chains = test::has_chains(GetParam());

@@ -80,7 +80,7 @@ double relative_difference(const Spectrum& a, const Spectrum& b) {
 
 class Paths : public ::testing::TestWithParam<test::SmallScene> {};
 
-TEST_P(Paths, AreWorthWhatTheSamplerFound) {
+TEST_P(Paths, HaveTheContributionOfTheSampler) {
   const auto scene = test::scene_from(GetParam().text);
   for (const char* techniques : {"ibpt", "bdpt", "implicit,explicit*3,light*0.5,inner*0.25"}) {
     SCOPED_TRACE(techniques);
@@ -402,7 +402,7 @@ TEST(PathInversion, NumbersAreDistributedAsThoseThatWereSampled) {
   }
 }
 
-TEST(PathVerify, NamesWhatDoesNotFit) {
+TEST(PathVerify, NamesMismatches) {
   const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
   const PathSamplerSettings settings = settings_of("bdpt");
   const auto complaint = [&](const Path& path, const Contribution& contribution) {

@@ -23,7 +23,7 @@ std::vector<Warning> concerns_of(const std::string& scene_text, const std::strin
 
 std::string glass_and_metal() { return test::small_scene("GlassAndMetal").text; }
 
-TEST(Concerns, NameWhatLightTracingCannotSee) {
+TEST(Concerns, NamePathsBeyondLightTracing) {
   EXPECT_TRUE(concerns_of(test::small_scene("Room").text, "lt").empty());
   const std::vector<Warning> concerns = concerns_of(glass_and_metal(), "lt");
   ASSERT_EQ(concerns.size(), 1U);
@@ -116,7 +116,7 @@ TEST(Concerns, AreOfOrdinaryMonteCarloBesideChainsAsWell) {
   EXPECT_TRUE(concerns_of(glass_and_metal(), "selective").empty());
 }
 
-TEST(Concerns, AreNoneWhereOtherTechniquesSee) {
+TEST(Concerns, AreEmptyWhereOtherTechniquesSamplePaths) {
   for (const char* integrator : {"pt", "ibpt", "bdpt"}) {
     EXPECT_TRUE(concerns_of(glass_and_metal(), integrator).empty()) << integrator;
   }
@@ -127,7 +127,7 @@ TEST(Concerns, AreNoneWhereOtherTechniquesSee) {
   EXPECT_EQ(concerns_of(glass_and_metal(), "bdpt", {{"techniques", "light"}}).size(), 1U);
 }
 
-TEST(Notes, SayWhatChainsOfPathsDoNotReach) {
+TEST(Notes, NamePathsOutOfReachOfPathChains) {
   const auto scene = test::scene_from(glass_and_metal());
   test::RenderOptions options;
   options.integrator = "mlt";

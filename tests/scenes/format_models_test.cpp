@@ -366,7 +366,7 @@ double error_of(const ModelCase& model, const Measured& ours) {
   return model.lit < 0.0 ? in_furnace : std::max(in_furnace, relative_error(ours.lit, model.lit));
 }
 
-TEST(FormatModels, AreAsInTheirRenderers) {
+TEST(FormatModels, MatchTheirRenderers) {
   for (const ModelCase& model : model_cases()) {
     const Measured ours = measured(model);
     EXPECT_LE(error_of(model, ours), model.error)

@@ -354,7 +354,7 @@ TEST(MaterialFurnace, Mitsuba) {
                  write_mitsuba_ball);
 }
 
-TEST(MaterialFurnace, PrincipledIsThatOfMitsuba) {
+TEST(MaterialFurnace, PrincipledMatchesMitsuba) {
   // Numbers by Mitsuba 3.9.
   struct Known {
     const char* base;
@@ -478,7 +478,7 @@ TEST(MaterialFurnace, Gltf) {
       write_gltf_ball);
 }
 
-TEST(MaterialFurnace, GltfIsThatOfAppendixB) {
+TEST(MaterialFurnace, GltfMatchesAppendixB) {
   // Closed integrals of its formulas for a roughness of 1, and what a room of that shines.
   for (const auto& [base, seen] : {std::pair("1", 0.973), {"0.8", 0.783}}) {
     const desc::SceneDesc scene = imported(gltf_surface(base, "1"), write_gltf_ball);

@@ -129,7 +129,7 @@ TEST(MeshScenes, ColorsOfImagesAreDecodedAndFactorsAreLinear) {
                Vec3(0.5F, 1.F, 1.F) * image.decoded(), 0.01F);
 }
 
-TEST(MeshScenes, DissolveIsTheShareThatIsThere) {
+TEST(MeshScenes, DissolveIsOpacity) {
   // Black before a sky.
   expect_color(obj_picture("Kd 0 0 0\nd .25\n", {.light = MeshLight::EvenSky}, 1024).mean(),
                Vec3(0.75F), 0.02F);

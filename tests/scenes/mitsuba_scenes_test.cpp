@@ -333,7 +333,7 @@ TEST_P(Mitsuba, MetalsReflectByTheirIndices) {
       0.1F);
 }
 
-TEST_P(Mitsuba, PanesAndMasksLetThroughWhatTheyDoNotReflect) {
+TEST_P(Mitsuba, PanesAndMasksTransmitTheRest) {
   // A pane reflects 2R / (1 + R), all orders between its sides in all.
   const auto through = [&](const std::string& bsdf) {
     return picture(camera(5, 0.02F) + wall(bsdf) + "<shape type='rectangle'>" +

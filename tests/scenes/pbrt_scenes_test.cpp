@@ -490,7 +490,7 @@ TEST(Pbrt4, AlphaAndInterfacesAddNothingToTheDepth) {
   EXPECT_NEAR(seen("Material 'thindielectric'", "", 0), 0.F, 1e-6F);
 }
 
-TEST(Pbrt4, AlphaIsTheShareThatIsThere) {
+TEST(Pbrt4, AlphaIsOpacity) {
   // A quarter of what the wall shines, and three quarters of what is behind it.
   for (const std::string alpha : {"'float alpha' 0.25", "'texture alpha' 'quarter'"}) {
     const TinyPicture seen = picture_of(

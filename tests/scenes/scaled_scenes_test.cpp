@@ -134,7 +134,7 @@ std::vector<std::pair<std::string, std::string>> standing() {
   };
 }
 
-TEST(ScaledScenes, AreTheSameWhateverStandsInThem) {
+TEST(ScaledScenes, AreEqualWithAnyContent) {
   for (const auto& [name, text] : standing()) {
     SCOPED_TRACE(name);
     const double usual = mean_of(table(1.0, 0.0, text));
@@ -147,7 +147,7 @@ TEST(ScaledScenes, AreTheSameWhateverStandsInThem) {
   }
 }
 
-TEST(ScaledScenes, ThatAreTooSmallForTrianglesGetAWarning) {
+TEST(ScaledScenes, TooSmallOnesForTrianglesGetAWarning) {
   const auto warnings_of = [](double size) {
     Warnings warnings;
     const Scene scene(import_pbrt_text(table(size, 0.0, ""), "test.pbrt", ".", warnings), {},

@@ -53,7 +53,7 @@ void expect_near(const Vec3& value, const Vec3& wanted, float tolerance = 1e-5F)
 
 constexpr const char* kRed = "Material \"matte\" \"rgb Kd\" [0.8 0.1 0.2]\n";
 
-TEST(SceneFeatures, AreTheSurfaceThatIsSeen) {
+TEST(SceneFeatures, AreOfTheVisibleSurface) {
   const Look look = look_at(kRed + wall(5.F));
   expect_near(look.albedo, {0.8F, 0.1F, 0.2F});
   expect_near(look.normal, {0.F, 0.F, -1.F});
@@ -66,7 +66,7 @@ TEST(SceneFeatures, FollowMirrors) {
   expect_near(look.normal, {0.F, 0.F, 1.F});
 }
 
-TEST(SceneFeatures, SeeThroughGlassAsFarAsItIsClear) {
+TEST(SceneFeatures, SeeThroughClearGlass) {
   // A block of glass: Fresnel's equations leave 92 % of what is behind, 8 % is reflected in it.
   const Look look = look_at("Material \"glass\"\n" + wall(4.F) + wall(5.F) + kRed + wall(8.F));
   EXPECT_NEAR(look.albedo[0], 0.92F * 0.8F, 0.02F);
@@ -105,7 +105,7 @@ TEST(SceneFeatures, OfACropAreThoseOfTheWhole) {
   }
 }
 
-TEST(SceneFeatures, AreOfOneRayForAPixelWhereSomebodyWaits) {
+TEST(SceneFeatures, AreOfOneRayPerPixelInPreviews) {
   // Glass that mirrors or lets through by chance: of sixteen rays few pixels see the same.
   const auto scene = scene_of("Material \"glass\" Translate 0 0 4 Shape \"sphere\"\n" +
                               std::string(kRed) + wall(5.F));
@@ -120,7 +120,7 @@ TEST(SceneFeatures, AreOfOneRayForAPixelWhereSomebodyWaits) {
   EXPECT_EQ(whole, static_cast<int>(rough.normal.size() / 3));
 }
 
-TEST(SceneFeatures, EndWhenTheyAreTold) {
+TEST(SceneFeatures, StopOnRequest) {
   const auto scene = scene_of(kRed + wall(5.F));
   double last = 0.0;
   EXPECT_TRUE(trace_features(*scene, settings_for(*scene), [&](double done) {

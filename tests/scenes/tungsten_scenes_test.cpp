@@ -302,7 +302,7 @@ TEST(TungstenScenes, SurfacesLookTheSameFromBehind) {
   }
 }
 
-TEST(TungstenScenes, CoatsAndPlasticsKeepTheLightThatTheyReflectOnAverage) {
+TEST(TungstenScenes, CoatsAndPlasticsKeepTheirMeanAlbedo) {
   // A convex body in an even environment reflects its mean albedo, seen from all sides: a sphere
   // shows each angle with the weight of its cosine.
   const auto mean_albedo = [](const std::string& bsdf) {

@@ -47,7 +47,7 @@ test::Render render_at_price(const Scene& scene, const test::RenderOptions& opti
       });
 }
 
-TEST(RayPrice, OfAnyHeightChangesNoExpectation) {
+TEST(RayPrice, ChangesNoExpectation) {
   for (const char* name : {"Room", "GlassAndMetal", "CroppedMitchell"}) {
     const auto [scene, options, truth] = test::known_picture(name, 256);
     const ImportanceMap importance = random_importance(truth.film->crop());

@@ -111,7 +111,7 @@ TEST_F(RegionChoiceTest, NoSingleSampleTurnsTheDecision) {
   }
 }
 
-TEST_F(RegionChoiceTest, SeveralSamplesDo) {
+TEST_F(RegionChoiceTest, SeveralSamplesTurnTheDecision) {
   constexpr double kFair = 5.0;
   const double before = threshold(kFair);
   for (std::size_t i = 0; i < found_.size(); i += 49) found_[i] = path(i, 100.F);
@@ -137,7 +137,7 @@ TEST_F(RegionChoiceTest, ThresholdsRiseByDegreesAsChainsPayLess) {
 
 /// A slightly lower predicted error is not sufficient, in the raw picture either: on some scenes it
 /// is the pilot's noise.
-TEST_F(RegionChoiceTest, ChainsStandByUnlessTheyClearlyPay) {
+TEST_F(RegionChoiceTest, ChainsAreForFirefliesOnlyUnlessTheyClearlyPay) {
   using Heuristics = SelectiveHeuristics;
   for (std::size_t i = 0; i < found_.size(); i += 19) found_[i] = path(i, 30.F);
   for (const auto objective :

@@ -53,7 +53,7 @@ TEST(Selective, MostlyChoosesTechniquesThatSuitTheScene) {
       << "strong paths are for chains here, too, but inner connections find none of them";
 }
 
-TEST(Selective, HasTheTechniquesThatTheUserWants) {
+TEST(Selective, UsesTheUsersTechniques) {
   const Scene scene = test::builtin_scene("cornell");
   for (const auto& [name, value] : std::map<std::string, std::string>{
            {"techniques", "bdpt"}, {"light-paths-per-pixel", "1"}, {"omc", "bdpt"}}) {
@@ -71,7 +71,7 @@ TEST(Selective, HasTheTechniquesThatTheUserWants) {
 
 /// One convex thing under a sky has no light but what comes straight from it: there is nothing to
 /// start chains from, and nothing to warn of.
-TEST(Selective, SaysThatThereIsNothingForChains) {
+TEST(Selective, ReportsThatChainsAreUnused) {
   const auto scene = test::scene_from(test::pbrt_scene(
       "LookAt 0 -4 1  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" [45]\n", 16, 12,
       "LightSource \"infinite\" \"rgb L\" [1 1 1]\n"
@@ -155,7 +155,7 @@ TEST(Selective, DecidesAlikeInBothHalves) {
   }
 }
 
-TEST(Selective, KnowsThePriceOfRaysUnlessRouletteIsUsual) {
+TEST(Selective, HasAPriceOfRaysUnlessRouletteIsPlain) {
   const Scene scene = test::builtin_scene("cornell");
   using Settings = std::map<std::string, std::string>;
   for (const Settings& settings : {Settings{}, Settings{{"choice", "exclusive"}},
@@ -190,7 +190,7 @@ int rounds_of(const std::string& scene_name) {
   }
 }
 
-TEST(Selective, PreparesOnlyForWhatMayPay) {
+TEST(Selective, SkipsPreparationWithoutABenefit) {
   // Brightness, ibpt, bdpt, roulette, what pixels show, and what is to be divided.
   EXPECT_EQ(rounds_of("cornell"), 6);
   // More light subpaths for what chains could start from, too.

@@ -208,7 +208,7 @@ MeanAndError truth_of(const Scene& scene, test::RenderOptions options) {
 // Pixels that show two objects count as one of them, whatever the picture's own samples see there:
 // when those voted, the ones that saw the brighter object were weighed by its map, and the picture
 // was 0.11 too bright.
-TEST(Selective, RegionsDoNotFollowFromSamplesThatStay) {
+TEST(Selective, RegionsAreIndependentOfKeptSamples) {
   const auto scene = test::stripes(
       16, 12,
       "LightSource \"point\" \"point from\" [0 12 -6] \"rgb I\" [100 100 100]\n"
@@ -270,7 +270,7 @@ std::pair<double, double> halves_of(const test::Render& render) {
 // b comes from independent samples, so chains with a wrong part of each path only move light about.
 // Few long chains have time to. With what rays into the lamp leave alone, or with their strength
 // for all techniques, a fifth of the light went from the right half of the picture to the left.
-TEST(Selective, LeavesLightWhereItIsWhicheverTechniquesFindIt) {
+TEST(Selective, KeepsLightInPlaceWithAnyTechniques) {
   const auto scene = scene_of_two_lamps();
   test::RenderOptions options;
   options.min_depth = 3;
@@ -323,7 +323,7 @@ OfHalves halves_of_seeds(const Scene& scene, test::RenderOptions options, std::u
 }
 
 // Classes of chains partition the paths: none is made twice, and none is left out.
-TEST(Selective, SharesPathsAmongChainsByWhatTheyAreLike) {
+TEST(Selective, DividesPathsAmongChainsByTheirClass) {
   const auto scene = scene_of_panes();
   test::RenderOptions options;
   options.min_depth = 4;
@@ -387,7 +387,7 @@ TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
   EXPECT_LT(z_of("keep"), -5.0) << "where the pilot found no light, it stays dark";
 }
 
-TEST(Split, FoundOutByAPilotChangesNoExpectation) {
+TEST(Split, ByAPilotChangesNoExpectation) {
   const auto scene = small_scene("Room");
   test::RenderOptions options;
   options.max_depth = 5;
@@ -488,7 +488,7 @@ TEST(Selective, TakesTheUsersRules) {
   }
 }
 
-TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
+TEST(Selective, UpdatesThePriceOfRaysFromItsSamples) {
   const auto scene = small_scene("Room");
   const auto price_after = [&](std::uint64_t samples) {
     test::RenderOptions options = selective_options(samples);
@@ -505,7 +505,7 @@ TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
 }
 
 /// As rules have it.
-TEST(Selective, LeavesPixelsThatAreHalfOfEachMethodToMonteCarlo) {
+TEST(Selective, LeavesEvenlyDividedPixelsToMonteCarlo) {
   const auto scene = small_scene("Room");
   const TemporaryFile map("half.pfm");
   write_map(map.path(), scene->camera().resolution(), [](std::uint64_t) { return 0.5F; });
@@ -515,7 +515,7 @@ TEST(Selective, LeavesPixelsThatAreHalfOfEachMethodToMonteCarlo) {
 }
 
 /// A map without chains takes none, and tells what it is.
-TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
+TEST(Selective, ObeysTheUserWithoutChains) {
   const auto scene = small_scene("GlassAndMetal");
   const TemporaryFile map("map.pfm");
   using Settings = std::map<std::string, std::string>;

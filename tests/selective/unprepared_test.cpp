@@ -77,7 +77,7 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
 
 /// Once the pilot is over, nothing of it is thrown away: its samples are of the picture. (Chains
 /// that start from what it has found are prepared then.)
-TEST(Unprepared, KeepsThePilot) {
+TEST(Unprepared, KeepsThePilotsSamples) {
   const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
   test::RenderOptions options;
   options.integrator = "selective";

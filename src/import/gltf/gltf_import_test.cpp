@@ -5,7 +5,7 @@
 namespace ajar::gltf {
 namespace {
 
-TEST(GltfImport, CompressedMeshesSayWhatToDo) {
+TEST(GltfImport, CompressedMeshesHaveARemedyInTheirWarning) {
   TestFile file;
   file.add_triangle();
   file.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
@@ -30,7 +30,7 @@ TEST(GltfImport, UnknownExtensionsAreErrorsOnlyIfRequired) {
 }
 
 /// Claims of docs/reference/formats-gltf.md on extensions.
-TEST(GltfImport, ExtensionsThatAreNotReadSayWhatThePictureLacks) {
+TEST(GltfImport, UnreadExtensionsWarnOfTheirEffect) {
   for (const auto& [name, says] :
        {std::pair("KHR_materials_anisotropy", "gloss is the same in all directions"),
         std::pair("KHR_materials_dispersion", "glass has one index of refraction for all colours"),

@@ -86,7 +86,7 @@ TEST(GltfNodes, MeshesUsedTwiceAreInstances) {
   EXPECT_EQ(without_places(scene.instances[1].where.to_string()), "test.gltf#/nodes/1");
 }
 
-TEST(GltfNodes, WhatShinesIsRepeatedInsteadOfInstanced) {
+TEST(GltfNodes, EmissiveMeshesAreCopiedInsteadOfInstanced) {
   TestFile file;
   file.add_triangle({{"emissiveFactor", {1, 1, 1}}});
   file.add("nodes", {{"mesh", 0}});
@@ -116,7 +116,7 @@ TEST(GltfNodes, MayHaveTheirMeshInManyPlaces) {
       contains(error_of(file.text()), "/attributes/ROTATION: there are 2 values for 3 instances"));
 }
 
-TEST(GltfNodes, HaveTheirMeshesInSoManyPlacesOnly) {
+TEST(GltfNodes, HaveALimitOfMeshPlacements) {
   TestFile file = with_node(Json::object());
   // Zeros without bytes, as many as the file has bytes.
   const std::string zeros(60'000, '\0');

@@ -76,7 +76,7 @@ TEST(Polygon, HolesMayBeReachedByACut) {
   expect_covered(wall, {0, 0, 1}, 12.0);
 }
 
-TEST(Polygon, WhatIsNoneIsFanned) {
+TEST(Polygon, DegenerateOnesAreFanned) {
   const float nan = std::nanf("");
   EXPECT_EQ(cut({{0, 0, 0}, {1, nan, 0}, {1, 1, 0}, {0, 1, 0}}).size(), 2U);
   EXPECT_EQ(cut(std::vector<Vec3>(5, Vec3(1.F))).size(), 3U);

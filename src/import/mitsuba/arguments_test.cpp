@@ -65,7 +65,7 @@ std::string name_of(const std::string& tag) {
 
 class MitsubaPlugins : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(MitsubaPlugins, WarnOnceOfEachThingThatTheyDoNotKnow) {
+TEST_P(MitsubaPlugins, WarnOnceOfEachUnknownName) {
   const std::string tag = GetParam();
   const std::vector<std::string>& types = plugin_types(tag == "spectrum" ? "texture" : tag);
   ASSERT_FALSE(types.empty());
@@ -106,7 +106,7 @@ TEST(MitsubaArguments, OfUnknownPluginsAreNotWarnedOf) {
   }
 }
 
-TEST(MitsubaArguments, ElementsThatArePluginsCannotUseAreWarnings) {
+TEST(MitsubaArguments, UnusedElementsAreWarnings) {
   const std::string matt = "<bsdf type='dielectric'/>";
   const std::string grey = "<texture type='checkerboard'/>";
   const auto bsdf = [&](const std::string& type, const std::string& content) {

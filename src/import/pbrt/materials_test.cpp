@@ -80,7 +80,7 @@ TEST(PbrtMaterials, IndexIsAnotherNameOfEta) {
                "unused parameter \"float index\""));
 }
 
-TEST(PbrtMaterials, MetalIsCopperUnlessToldOtherwise) {
+TEST(PbrtMaterials, MetalIsCopperByDefault) {
   // The RGB constants of copper that exporters compute from the same measurements (veach-mis
   // scene).
   const desc::Node m = material_of("Material \"metal\"");

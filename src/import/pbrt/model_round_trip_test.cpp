@@ -147,7 +147,7 @@ TEST(ModelRoundTrip, KeepsEveryParameterOfEveryEmission) {
   }
 }
 
-TEST(ModelRoundTrip, KeepsWhatIsLeftOut) {
+TEST(ModelRoundTrip, KeepsDefaults) {
   for (const char* name : {"dielectric", "conductor", "coated_diffuse", "composite"}) {
     desc::SceneDesc scene;
     scene.materials.emplace_back().node = desc::material_node(name, {{"roughness", 0.25F}});

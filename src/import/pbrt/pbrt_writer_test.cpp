@@ -69,7 +69,7 @@ AttributeBegin Scale 1 2 3 ObjectInstance "thing" AttributeEnd ObjectInstance "t
 WorldEnd
 )";
 
-TEST(PbrtWriter, WhatItWritesReadsBackAsTheSameScene) {
+TEST(PbrtWriter, RoundTripsTheSameScene) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "scene");
   { std::ofstream(folder.path() / "scene/in.pbrt") << kEverything; }
@@ -90,7 +90,7 @@ TEST(PbrtWriter, WhatItWritesReadsBackAsTheSameScene) {
   EXPECT_EQ(back.lights[3].node.text("image"), (folder.path() / "scene/sky.exr").string());
 }
 
-TEST(PbrtWriter, WritesADepthWhereASceneSaysNone) {
+TEST(PbrtWriter, WritesADefaultDepth) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "scene.pbrt").string();
   desc::SceneDesc scene;
@@ -168,7 +168,7 @@ TEST(PbrtWriter, WritesColorsOfMediaWhateverTheirGrid) {
   }
 }
 
-TEST(PbrtWriter, GridsEndWhereTheyDidInShapesThatAreLarger) {
+TEST(PbrtWriter, GridsKeepTheirBoundsInLargerShapes) {
   using Grid = desc::DensityGrid;
   for (const auto points : {Grid::Points::Centers, Grid::Points::Corners}) {
     for (const auto border : {Grid::Border::Zero, Grid::Border::Clamp}) {

@@ -15,7 +15,7 @@ desc::Rgb scale_of(const std::string& body) {
   return v4_scene(body).shapes.at(0).emission->node.color("scale");
 }
 
-TEST(Pbrt4Lights, PowerIsThatOfAllThatALightEmits) {
+TEST(Pbrt4Lights, PowerIsTheTotalFlux) {
   expect_rgb(light_of("LightSource \"point\" \"float power\" 100").node.color("intensity"),
              desc::Rgb(100.F / kPi4), 1e-4F);
   // The colour of the light multiplies its power.
@@ -32,7 +32,7 @@ TEST(Pbrt4Lights, PowerIsThatOfAllThatALightEmits) {
             desc::Rgb(1.F));
 }
 
-TEST(Pbrt4Lights, PowerOfImagesIsLeftToThoseWhoReadThem) {
+TEST(Pbrt4Lights, PowerOfImagesIsAParameter) {
   EXPECT_TRUE(
       light_of("LightSource \"goniometric\" \"string filename\" \"sky.exr\"").node.flag("gray"));
   EXPECT_EQ(light_of("LightSource \"goniometric\" \"string filename\" \"sky.exr\" "

@@ -69,7 +69,7 @@ TEST(WriterForPbrt, GivesMetalsTheIndexThatReflectsTheSame) {
   EXPECT_TRUE(contains(text, "\"rgb k\" [ 2 0 4")) << text;
 }
 
-TEST(WriterForPbrt, SaysAlphaWhereRoughnessIsItsSquare) {
+TEST(WriterForPbrt, WritesAlphaWhereRoughnessIsItsSquare) {
   for (const char* name : {"dielectric", "conductor", "coated_diffuse", "composite"}) {
     const std::string text =
         written_material(desc::material_node(name, {{"roughness", 0.25F},
@@ -95,7 +95,7 @@ TEST(WriterForPbrt, MakesSmoothMetalAsSmoothAsItCan) {
   EXPECT_TRUE(contains(text, "\"float uroughness\" [ 0 ]")) << text;
 }
 
-TEST(WriterForPbrt, SaysNothingOfGammaButWhereItIsOff) {
+TEST(WriterForPbrt, WritesGammaOnlyWhereItIsOff) {
   const auto text = [](bool decode) {
     desc::SceneDesc scene;
     scene.textures.emplace_back().node =
@@ -110,7 +110,7 @@ TEST(WriterForPbrt, SaysNothingOfGammaButWhereItIsOff) {
   EXPECT_TRUE(contains(text(false), "\"bool gamma\" \"false\""));
 }
 
-TEST(WriterForPbrt, WritesNoWordsOfItsOwnThatSayNothing) {
+TEST(WriterForPbrt, OmitsItsOwnWordsWithoutEffect) {
   desc::SceneDesc scene;
   scene.textures.emplace_back().node = desc::texture_node("image", {{"file", "/a.png"}});
   scene.materials.emplace_back().node =
@@ -182,7 +182,7 @@ TEST(WriterForPbrt, NamesPicturesAsPbrtCan) {
   EXPECT_TRUE(contains(written(scene).text, "\"string filename\" \"a.PNG\""));
 }
 
-TEST(WriterForPbrt, SaysHowManyIterationsThereAre) {
+TEST(WriterForPbrt, WritesTheNumberOfIterations) {
   desc::SceneDesc scene;
   scene.hints.integrator = "sppm";
   scene.hints.samples_per_pixel = 7;
@@ -243,7 +243,7 @@ Written written_image(const TemporaryFolder& folder, const desc::Node& node) {
   return result;
 }
 
-TEST(WriterForPbrt, WritesImagesThatPbrtCannotOpenAsOnesThatItCan) {
+TEST(WriterForPbrt, ConvertsImagesThatPbrtCannotOpen) {
   const TemporaryFolder folder;
   const std::string file = picture(folder, "a.hdr");
   const Written result = written_image(folder, desc::texture_node("image", {{"file", file}}));
@@ -262,7 +262,7 @@ TEST(WriterForPbrt, WritesImagesThatPbrtCannotOpenAsOnesThatItCan) {
   }
 }
 
-TEST(WriterForPbrt, WritesImagesWithWhatPbrtHasNoWordsFor) {
+TEST(WriterForPbrt, BakesUnsupportedOptionsIntoImages) {
   const TemporaryFolder folder;
   const std::string file = picture(folder, "a.png");
   const auto seen = [&](desc::Node node) {
@@ -339,7 +339,7 @@ TEST(WriterForPbrt, UnfoldsSquareSkies) {
   EXPECT_NEAR(std::stof(result.text.substr(at + 10)), 2.F * 6.F, 0.2F);
 }
 
-TEST(WriterForPbrt, LeavesSkiesThatAreNoSquaresTheirRows) {
+TEST(WriterForPbrt, KeepsTheRowsOfRectangularSkies) {
   const TemporaryFolder folder;
   desc::SceneDesc scene;
   desc::Node sky = desc::light_node("environment", {{"image", picture(folder, "wide.exr", {4, 2})},
@@ -351,7 +351,7 @@ TEST(WriterForPbrt, LeavesSkiesThatAreNoSquaresTheirRows) {
   EXPECT_EQ(result.unknown, "");
 }
 
-TEST(WriterForPbrt, TellsOfImagesThatCannotBeRead) {
+TEST(WriterForPbrt, WarnsOfUnreadableImages) {
   const TemporaryFolder folder;
   desc::SceneDesc scene;
   scene.textures.emplace_back().node =
@@ -372,7 +372,7 @@ TEST(WriterForPbrt, UnknownModelsOfOursAreErrors) {
   }
 }
 
-TEST(WriterForPbrt, WritesNoImageOfWhatIsNotUsed) {
+TEST(WriterForPbrt, WritesNoImageOfUnusedTextures) {
   const TemporaryFolder folder;
   desc::SceneDesc scene;
   scene.textures.emplace_back().node =
@@ -381,7 +381,7 @@ TEST(WriterForPbrt, WritesNoImageOfWhatIsNotUsed) {
   EXPECT_FALSE(fs::exists(folder.path() / "scene_images"));
 }
 
-TEST(WriterForPbrt, SaysHowBrightASkyIsThatIsScaled) {
+TEST(WriterForPbrt, WritesTheScaleOfASky) {
   desc::SceneDesc scene;
   scene.lights.emplace_back().node =
       desc::light_node("environment", {{"radiance", Vec3(2.F)}, {"irradiance", 3.14159265F}});
@@ -508,7 +508,7 @@ TEST(WriterForPbrt, KeepsBareMeshesAndTheirColors) {
   }
 }
 
-TEST(WriterForPbrt, TellsWhatPbrtDoesNotKnow) {
+TEST(WriterForPbrt, ReportsNamesUnknownToPbrt) {
   desc::SceneDesc scene;
   for (int i = 0; i < 2; ++i) {
     scene.materials.emplace_back().node = desc::material_node("dielectric", {{"thin", true}});

@@ -137,7 +137,7 @@ TEST(Strands, OfPrimitivesAreTubesInTheirPlace) {
   EXPECT_EQ(scene.shapes[1].node.text("type"), "flat");
 }
 
-TEST(Strands, WhatIsNotSupportedOfPrimitivesIsAWarning) {
+TEST(Strands, UnsupportedOptionsOfPrimitivesAreWarnings) {
   const Files files = {{"a.fiber", two_curves()}, {"b.fiber", "short"}};
   const std::string warnings = warnings_of(
       scene_text("",

@@ -141,7 +141,7 @@ TEST(PlaneMoves, ExactRulesKeepTheDistributionToTheLastDigits) {
   }
 }
 
-TEST(PlaneMoves, PublishedRulesDoNot) {
+TEST(PlaneMoves, PublishedRulesDoNotKeepTheDistribution) {
   // The table of docs/notebook/mutations.md.
   struct Expected {
     double large;

@@ -131,7 +131,7 @@ TEST(BsdfInverse, ASpecularEventIsRepeated) {
   EXPECT_GT(events, 3000);
 }
 
-TEST(BsdfInverse, SaysWhereALobeNeverGoes) {
+TEST(BsdfInverse, IsEmptyOutsideOfALobesSupport) {
   const Vec3 up(0.F, 0.F, 1.F);
   const Vec3 sideways(0.6F, 0.F, 0.8F);
   Bsdf matt(Frame(), up);

@@ -31,7 +31,7 @@ constexpr std::array kFacetModels = {FacetModel::Ggx, FacetModel::GgxSeparable,
 // Off the nodes of the table, too.
 constexpr std::array<float, 3> kRoughnesses = {0.1F, 0.37F, 0.9F};
 
-TEST(CoatTable, IsWhatTheLobeOfTheBoundaryDoes) {
+TEST(CoatTable, MatchesTheLobeOfTheBoundary) {
   for (const FacetModel model : kFacetModels) {
     for (const float alpha : kRoughnesses) {
       for (const float eta : {1.33F, 1.55F}) {

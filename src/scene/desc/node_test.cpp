@@ -82,7 +82,7 @@ TEST(Node, TakesValuesOfTheTypesOfItsParameters) {
   EXPECT_THROW(static_cast<void>(Node().get("color")), std::logic_error);
 }
 
-TEST(Node, SaysWhyAValueIsNone) {
+TEST(Node, ReportsInvalidValues) {
   const auto error_of = [](const char* name, const Value& value) -> std::string {
     try {
       const Node node(velvet(), {{name, value}});
@@ -101,7 +101,7 @@ TEST(Node, SaysWhyAValueIsNone) {
   EXPECT_EQ(error_of("color", Vec3(7.F)), "");
 }
 
-TEST(DefaultValue, ThatIsNoneIsAProgrammingError) {
+TEST(DefaultValue, InvalidOneIsAProgrammingError) {
   EXPECT_THROW(default_value(spec("x", ParameterType::Float, "one")), std::logic_error);
   EXPECT_THROW(default_value(spec("x", ParameterType::Color, "1 2")), std::logic_error);
   EXPECT_THROW(default_value(spec("x", ParameterType::Vector, "1")), std::logic_error);

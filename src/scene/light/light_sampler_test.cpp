@@ -88,7 +88,7 @@ Lamps lamps_and_sky(Rng& rng, int count) {
 
 // Power: with 400000 samples a light of probability 1/50 that is chosen 6 % too often or too rarely
 // is seen.
-TEST(LightSampler, ChoosesAsOftenAsItSays) {
+TEST(LightSampler, FrequenciesMatchItsProbabilities) {
   Rng rng(2);
   const Lamps lamps = lamps_and_sky(rng, 47);
   const LightSampler sampler(lamps.lights, kBounds);
@@ -213,7 +213,7 @@ TEST(LightSampler, FaintLightsBesideAStrongOneCanBeChosen) {
   EXPECT_GT(sampler.emitter_probability(*lights[2]).value(), 0.F);
 }
 
-TEST(LightSampler, KnowsThatThereAreNoLights) {
+TEST(LightSampler, IsEmptyWithoutLights) {
   const LightList none;
   EXPECT_TRUE(LightSampler(none, kBounds).empty());
 }

@@ -110,7 +110,7 @@ TEST(Materials, HaveDefaults) {
 }
 
 /// Mixtures of diffuse materials do not claim to be diffuse.
-TEST(Materials, SayWhetherTheyAreDiffuse) {
+TEST(Materials, ReportWhetherTheyAreDiffuse) {
   Fixture f;
   const auto smooth = f.add("diffuse");
   const auto rough = f.add("diffuse", {{"sigma", 20.F}});
@@ -124,7 +124,7 @@ TEST(Materials, SayWhetherTheyAreDiffuse) {
   EXPECT_TRUE(f.materials[static_cast<std::size_t>(rough)]->is_diffuse());
 }
 
-TEST(Materials, NodesOfNoModelAreLocatedErrors) {
+TEST(Materials, NodesWithoutAModelAreLocatedErrors) {
   Fixture f;
   f.add(desc::Node());
   f.scene.materials[0].where = {std::make_shared<const std::string>("a.pbrt"), 3, 1};
@@ -377,7 +377,7 @@ TEST(Materials, AnisotropyFollowsTheTangent) {
             10.F * bsdf.eval(up, direction(30.F, 0.F), kRadiance)[0]);
 }
 
-TEST(Material, KnowsWhetherItsIndexVaries) {
+TEST(Material, ReportsWhetherItsIndexVaries) {
   Fixture f;
   const auto glass = f.add("dielectric", {{"eta", f.constant(1.4F)}});
   const auto layered = f.add("dielectric", {{"eta", f.ramp(2.F)}});

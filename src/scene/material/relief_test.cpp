@@ -90,7 +90,7 @@ TEST(NormalMap, KeepsTheNormalOnItsSideAndWhereItIsNoDirection) {
   EXPECT_EQ(ns_of(code_of({nan, 0.F, 1.F}), flat_point()), up);
 }
 
-TEST(NormalMap, TiltsWhatAMaterialReflects) {
+TEST(NormalMap, TiltsTheReflectionOfAMaterial) {
   Fixture f;
   // The map in a texture: a constant one tilts, too, as a constant bump does not.
   const Vec3 n(0.6F, 0.F, 0.8F);

@@ -68,7 +68,7 @@ TEST(ColorField, HasTheDepthsOfItsClosedForm) {
   EXPECT_EQ(field.sigma_t({0.1F, 0.F, 0.F})[2], 1e-12F * 6.5F) << "paths are divided by it";
 }
 
-TEST(ColorField, EndsWhereTheDepthOfALaneIsWhatWasAskedFor) {
+TEST(ColorField, InvertsTheDepthOfALane) {
   const ColorField field(two_colors(DensityGrid::Border::Clamp), kSigmaA, kSigmaS);
   for (int lane = 0; lane < 3; ++lane) {
     for (double x = 0.05; x < 1.0; x += 0.1) {

@@ -183,7 +183,7 @@ std::string written_exr(const std::string& path, const std::vector<std::string>&
   return path;
 }
 
-TEST_F(ImageTextureTest, OfLayersAndAlphaThePictureIsShown) {
+TEST_F(ImageTextureTest, ColourLayersAreUsedWithoutAlpha) {
   desc::Node node = desc::texture_node("image");
   const auto color = [&](const std::vector<std::string>& names, const std::vector<float>& values) {
     node.set("file", written_exr((folder_ / "layers.exr").string(), names, values));
@@ -206,7 +206,7 @@ TEST_F(ImageTextureTest, OfLayersAndAlphaThePictureIsShown) {
             Vec3(0.75F));
 }
 
-TEST_F(ImageTextureTest, LayersOfWhichAnyMayBeMeantAreAWarning) {
+TEST_F(ImageTextureTest, AmbiguousLayersAreAWarning) {
   desc::SceneDesc scene;
   scene.textures.push_back(
       {"",
