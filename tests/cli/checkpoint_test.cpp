@@ -1,4 +1,4 @@
-// Renders that are never lost, as a user meets them.
+// Checkpoints and resuming, from the command line.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
