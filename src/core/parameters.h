@@ -39,9 +39,8 @@ struct ParameterSpec {
   double minimum = -1e300;
   double maximum = 1e300;
   bool expert = false;  ///< for those who study the method; lists show it below the others
-  /// For Float and Color in scenes: a texture may stand in place of the value. A texture can have
-  /// any value, so the model that reads it brings it into the range; all others are errors beyond
-  /// it.
+  /// For Float and Color in scenes: a texture may replace the value. Values of a texture are
+  /// clamped to the range by the model that reads it; other values beyond it are errors.
   bool textured = false;
   /// If it matters only while another parameter, a Choice declared before it, has one of some
   /// values: the name of that parameter, and the values.

@@ -7,7 +7,7 @@
 
 namespace ajar {
 
-/// Warnings as they are told in a terminal.
+/// Warnings as a terminal shows them.
 struct WarningDigest {
   /// One for each kind that can be seen in the picture, those with the most effect first.
   std::vector<std::string> lines;
