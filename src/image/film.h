@@ -101,8 +101,8 @@ class Film {
 
   /// Adds the sums of a film of the same size, replicates and layers, whose magnitudes may differ.
   /// Exact if they do not, or if the other's are larger; else rounded to a quantum of this film.
-  /// What a sum cannot hold is cut off. Of identities, each is kept that this film does not have.
-  /// Raises std::invalid_argument if the films do not fit.
+  /// Sums saturate. Identities are added where this film has none. Raises std::invalid_argument if
+  /// the films do not fit.
   void add(const Film& other);
 
   void clear();

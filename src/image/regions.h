@@ -26,8 +26,8 @@ struct Regions {
 };
 
 /// Regions: connected sets of pixels that show the same object with the same material, numbered
-/// from 0 in the order in which their first pixels come, row by row. What shows nothing forms
-/// regions like anything else.
+/// from 0 in the order in which their first pixels come, row by row. Background pixels form
+/// regions, too.
 ///
 /// Pixels are connected through their edges, not their corners: two surfaces can cross at a corner,
 /// and each would be in one piece there while cutting the other; and what touches in a point alone

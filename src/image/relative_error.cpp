@@ -47,8 +47,8 @@ std::vector<double> errors_of_pixels(std::span<const float> errors, std::span<co
   return of_pixels;
 }
 
-/// The guess, but nowhere less than the picture itself around a pixel: what rare paths bring is in
-/// no median, and a pixel of which one replicate has a firefly would count as black but for it.
+/// The estimate, but nowhere less than the picture itself around a pixel: rare paths are in no
+/// median, and a pixel of which one replicate has a firefly would count as black.
 std::vector<float> bright_guess(std::vector<float> truth, std::span<const float> picture,
                                 Vec2i size) {
   std::vector<Plane> around = planes_of(size, picture);

@@ -26,8 +26,8 @@ std::optional<double> relative_error(std::span<const float> picture, std::span<c
 /// Estimate without a reference: (x − t)² is estimated by the squared standard error of replicates,
 /// and t by `guess_truth`.
 struct RelativeError {
-  /// If `has_fireflies`, what it is at least: against a guess of the truth that is nowhere darker
-  /// than the picture around.
+  /// A lower bound if `has_fireflies`: relative to a reference that is nowhere darker than the
+  /// picture around.
   double value = 0.0;
   /// Over how many places of 4×4 pixels the squared error is spread: (Σ e)² / Σ e².
   double places = 0.0;

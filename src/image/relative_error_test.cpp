@@ -253,7 +253,7 @@ TEST(RelativeError, NeedsTwoReplicatesOfThePicturesSize) {
                std::invalid_argument);
 }
 
-/// Values that nobody has ever seen must neither crash nor hang.
+/// Values without a precedent must neither crash nor hang.
 TEST(RelativeError, EndsWithHugeValues) {
   Replicates replicates(kReplicates, room());
   replicates[1][300] = 3e38F;

@@ -15,11 +15,9 @@ namespace ajar {
 /// long as they disagree. Neighbours count whose surroundings look the same, up to noise (as
 /// patches do in non-local means, Buades et al. 2005): without the brightest replicate of each,
 /// which may have a firefly. Each replicate is averaged for itself with the same weights, and the
-/// guess is the median of the averages (of two the lower), so that no firefly of a single replicate
-/// is in it. What rare paths bring on average is not, either: so the guess as a whole is made as
-/// bright as the picture, each pixel relative to its guess. The edge of a lamp, which few samples
-/// see, is in no median either: no pixel is darker than in the picture while one beside it, of
-/// which replicates agree, is as bright.
+/// result is the median of the averages (of two the lower), so that no firefly of a single
+/// replicate is in it. The median lacks the mean of rare paths: so the result as a whole is made as
+/// bright as the picture, each pixel relative to its own value.
 ///
 /// Needs R ≥ 2 replicates of that size, else std::invalid_argument.
 std::vector<float> guess_truth(Replicates replicates, Vec2i size);

@@ -4,10 +4,9 @@
 /// Visibility of errors, and the allocation of time that makes its mean over a picture's pixels
 /// smallest.
 ///
-/// A squared error is decided by the few worst pixels: those around a path that was found once.
-/// What it takes to make them a little better, all others pay for, with noise that can be seen
-/// everywhere. FLIP (Andersson et al. 2020) takes differences of colours to the power of 0.7, and
-/// so is σ^0.7 what an error σ counts for here.
+/// The mean squared error depends on the few worst pixels: those around a path that was found once.
+/// Reducing it a little costs all others noise that can be seen everywhere. FLIP (Andersson et al.
+/// 2020) takes differences of colours to the power of 0.7, hence σ^0.7 for an error σ here.
 namespace ajar {
 
 /// σ^0.7 for σ².
