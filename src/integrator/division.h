@@ -18,7 +18,7 @@ inline const std::string kStrongLayer = "indirect-strong";
 
 /// Division of the long paths of a pixel.
 struct PixelShare {
-  /// T: of what a technique brings, chains make the part above, in the units of radiance ·
+  /// T: chains make the part of a technique's contribution above, in the units of radiance ·
   /// importance. 0: all of it.
   float threshold = 0.F;
   /// σ, by which the chains' target is multiplied. 0 leaves everything to ordinary Monte Carlo.

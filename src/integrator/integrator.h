@@ -128,8 +128,8 @@ class Integrator {
   /// Layers of the film, known after the preparation; includes "direct" and "indirect".
   virtual std::vector<LayerSpec> layers() const = 0;
   /// Rounds of every pass, with a barrier between them: photons are traced before they are
-  /// gathered. More than one need `keeps_state`, for what a round leaves behind to the next is news
-  /// to other processes.
+  /// gathered. More than one need `keeps_state`, as other processes need the state of a round in
+  /// the next.
   virtual int rounds_in_pass() const { return 1; }
   /// A later round of the pass (the first is 1), on one thread: all items of the round before have
   /// run, of all processes. A state that is saved in the midst of a pass leads back to its round.
@@ -138,8 +138,8 @@ class Integrator {
   /// run.
   virtual std::uint64_t items_in_round() const = 0;
   /// Called between passes, on one thread. A pass does not cross a milestone (`milestone_after`).
-  /// `film`: what was rendered so far, by all processes if it is at a milestone. What is added to
-  /// it before the first pass becomes part of the picture.
+  /// `film`: samples so far, of all processes at a milestone. Additions before the first pass
+  /// become part of the picture.
   virtual void begin_pass(std::uint64_t /*first_sample*/, std::uint64_t /*samples*/,
                           Film& /*film*/) {}
   /// Adds the contribution of one item of the round of a pass, `first_sample`..`first_sample +
@@ -156,16 +156,16 @@ class Integrator {
   /// True if items keep state for later passes. Only methods without can be cut into slices that
   /// are rendered each by itself.
   virtual bool keeps_state() const { return false; }
-  /// Between passes, after the preparation: writes what the items have left behind; and takes it
-  /// back, in an integrator that was made and prepared in the same way. Then rendering goes on with
-  /// the same bits after `samples` samples per pixel. `load_state` raises some std::exception if
-  /// the bytes make no sense, whoever wrote them: what it accepts can be rendered on.
+  /// Between passes, after the preparation: writes the state of the items, and restores it in an
+  /// integrator that was made and prepared in the same way. Rendering then continues with the same
+  /// bits after `samples` samples per pixel. `load_state` raises some std::exception if the bytes
+  /// make no sense: any state that it accepts can be rendered on.
   virtual void save_state(OutputArchive& /*archive*/) const {}
   virtual void load_state(InputArchive& /*archive*/, std::uint64_t /*samples*/) {}
-  /// Between passes of a render whose items are shared by several processes: gives away what the
-  /// items of `share`, which is this process's, have left behind since it did so last; and takes
-  /// what the process of `share` gave. When all have taken the news of all, in the order of their
-  /// shares and their own among them, they know the same again, as if they had rendered all items.
+  /// Between passes of a render whose items are shared by several processes: serialises this
+  /// process's state changes (items of `share`) since the last exchange, and applies those of the
+  /// process of `share`. After the exchange of all, in the order of their shares and their own
+  /// among them, all have the same state, as if they had rendered all items.
   virtual void give_news(OutputArchive& /*archive*/, const WorkShare& /*share*/) {}
   virtual void take_news(InputArchive& /*archive*/, const WorkShare& /*share*/) {}
 

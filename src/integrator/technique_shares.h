@@ -26,7 +26,7 @@ class TechniqueShares {
   /// nothing at all; and adding that.
   std::vector<double> sums() const;
   void add_sums(std::span<const double> sums);
-  /// Sorted by s, then t; techniques that brought nothing are left out.
+  /// Sorted by s, then t; techniques without a contribution are left out.
   std::vector<Share> list() const;
 
   static std::size_t slot(Technique technique);

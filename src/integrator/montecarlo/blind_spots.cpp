@@ -25,9 +25,8 @@ constexpr WarningKind kRareThrough{
 
 constexpr std::uint32_t kSamples = MonteCarloHeuristics::kLookingAround;
 
-/// Counts subpaths of either end, and those of which the first vertex is clear; of light subpaths
-/// only those of lamps that no ray runs into. Of other lamps it keeps where their light leaves what
-/// is clear.
+/// Counts subpaths of either end, and those whose first vertex is clear; light subpaths only of
+/// lamps that no ray runs into. For other lamps it records where their light leaves clear surfaces.
 class ClearSink final : public PathSink {
  public:
   void add(const Contribution& /*contribution*/) override {}

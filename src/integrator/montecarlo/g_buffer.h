@@ -11,8 +11,7 @@
 
 namespace ajar {
 
-/// The layers that describe the first surface a camera ray sees. Which of them a film has is
-/// decided by name.
+/// Layers of the first surface that a camera ray meets, selected by the names that a film has.
 class GBuffer {
  public:
   /// Names of all its layers.

@@ -4,7 +4,7 @@
 
 namespace ajar {
 
-/// The fitted numbers of the wing, beside parameters, which tell their own ranges.
+/// The fitted numbers of the wing, beside parameters, which declare their own ranges.
 struct MonteCarloHeuristics {
   // -------------------------------------------------------- rates of camera samples
   /// Squares of the picture that have one rate, which is found over them and those around: four

@@ -127,7 +127,7 @@ class PathIntegrator final : public Integrator {
     return index * pixels + pixel_number;
   }
 
-  /// The light's sequence is cut where its 32-bit index would overflow; each stretch has its own
+  /// The light's sequence is cut where its 32-bit index would overflow; each part has its own
   /// scrambling.
   std::uint64_t light_seed(std::uint64_t replicate, std::uint64_t light_number) const {
     return hash_numbers(settings_.seed, replicate, RandomUse::LightSubpaths, light_number >> 32U);

@@ -10,11 +10,11 @@ namespace ajar {
 /// efficiency-aware Russian roulette (after Rath et al. 2022, "EARS").
 ///
 /// With variance V and C rays per camera sample, the error after a given time follows V · C. A ray
-/// that brings v, traced with probability q, adds v²/q to V and q to C, so that V · C is smallest
-/// with q = v / √(V/C), or 1 if that is more: √(V/C) is the price of a ray. Connections know their
-/// v. Of a camera subpath of throughput β, v is taken to be Λ · β for each of the rays that the
-/// rest of it takes (see `RoulettePilot`). The price decides about chances alone, so whatever it
-/// is, and whenever it changes between passes, no expectation does.
+/// of contribution v, traced with probability q, adds v²/q to V and q to C, so that V · C is
+/// smallest with q = v / √(V/C), or 1 if that is more: √(V/C) is the price of a ray. The v of a
+/// connection is known. That of a camera subpath of throughput β is estimated as Λ · β for each of
+/// the rays that the rest of it takes (see `RoulettePilot`). The price affects survival
+/// probabilities alone, so no price, and no change of it between passes, biases the picture.
 class RayPrice {
  public:
   /// `price`: in luminance · importance, until `adjust`. `rest`: Λ, in radiance. Both positive.

@@ -15,11 +15,11 @@ namespace ajar {
 /// 1/r, so that every sample of the picture covers the whole of it. The rates may depend on samples
 /// that are kept, and change between passes, without bias.
 ///
-/// In each replicate a pixel has k · r of them after k, rounded up or down: where it starts to
-/// count is random, so that this is right on average. That alone would be noise of up to one
-/// sample, and seen where there is no other. So there is a guess m of what a pixel's samples bring:
-/// it is put into the picture once per sample of it, and camera samples bring what they see less m,
-/// each times 1/r. Whatever m is, that changes no expectation.
+/// In each replicate a pixel has k · r samples after k, rounded up or down: the start of the count
+/// is random, so that this is right on average. That alone would be noise of up to one sample, and
+/// seen where there is no other. So there is a control variate m: it is put into the picture once
+/// per sample of it, and camera samples contribute their value less m, each times 1/r. No m changes
+/// the expectation.
 class SampleRates {
  public:
   /// One each for all pixels of `crop`, until `adjust`. `replicates`: at least one.

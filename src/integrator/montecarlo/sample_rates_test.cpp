@@ -30,7 +30,7 @@ std::vector<double> row_by_row(const OfPixel& value) {
 /// Noise on the left is four times that on the right.
 double two_halves(int x, int /*y*/) { return x < 24 ? 16.0 : 1.0; }
 
-/// Guesses that tell pixels apart.
+/// Distinct control variates of all pixels.
 SampleRates::Guesses some_guesses() {
   SampleRates::Guesses guesses;
   for (const double value : row_by_row([](int x, int y) { return 100 * y + x; })) {
