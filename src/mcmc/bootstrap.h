@@ -32,8 +32,8 @@ enum class SeedFilter {
 std::vector<double> filter_weights(std::span<const double> weights, SeedFilter filter,
                                    double spread);
 /// Weight of a chain that starts from sample `index`, relative to the weight it would have without
-/// a filter: (I / Σ I) / (filtered / Σ filtered), by which its start stands for as much light as
-/// it should on average. 1 for `Dropped`, whose bias is that it does not.
+/// a filter: (I / Σ I) / (filtered / Σ filtered), which keeps the expected light of its start. 1
+/// for `Dropped`, which is biased.
 double seed_weight(std::span<const double> weights, std::span<const double> filtered,
                    SeedFilter filter, std::size_t index);
 

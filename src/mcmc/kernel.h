@@ -50,9 +50,9 @@ struct Proposal {
   bool without_density = false;
 };
 
-/// A transition of Markov chains that keeps the density I / b: proposes from the state that it is
-/// at, says with which probability each candidate is to be the next, and goes there or stays. Holds
-/// the scratch memory of one thread. How it gets to the state of a chain is up to each kernel.
+/// A transition of Markov chains that keeps the density I / b: proposes from its current state,
+/// returns the probability of each candidate to be the next, and accepts or stays. Holds the
+/// scratch memory of one thread. Kernels set the state of a chain in their own ways.
 ///
 /// A kernel that mixes moves chooses among them by what does not depend on the state, or has the
 /// choice in its probabilities: then each may be right by itself.

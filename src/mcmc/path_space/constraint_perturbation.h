@@ -31,7 +31,7 @@ class ConstraintPerturbation : public PathMutation {
   };
 
  private:
-  /// Empty if the path is not of the kind. Whether vertices can hold constraints is not asked.
+  /// Empty if the path is not of the kind. Vertices need not be able to hold constraints.
   virtual std::optional<Span> span_of(const Path& path) const = 0;
 
   /// By vertex of a path; those that are not rough have none.

@@ -15,7 +15,7 @@ class GrowingPath {
   GrowingPath(const Scene& scene, const RasterArea& area)
       : light(scene, Stream::Light), camera(scene, Stream::Camera), scene_(scene), area_(area) {}
 
-  /// Takes over so many vertices of `x` at each end. Of a camera end of one vertex, the place on
+  /// Takes over so many vertices of `x` at each end. A camera end of one vertex keeps the place on
   /// the lens.
   void begin(const Path& x, int light_vertices, int camera_vertices);
 

@@ -3,10 +3,9 @@
 
 namespace ajar {
 
-/// The numbers of moves in path space that say how often they do what, beside parameters, which
-/// tell their own ranges. No picture's expectation hangs on them, but for `kWayBack`, `kVaguest`
-/// and `kClear`: too large, they take one chain for another, and detailed balance, or the weight of
-/// a seed, fails where they do.
+/// Probabilities and sizes of moves in path space, beside parameters, which declare their own
+/// ranges. No picture's expectation depends on them, but for `kWayBack`, `kVaguest` and `kClear`:
+/// too large, they confuse chains, and detailed balance, or the weight of a seed, fails there.
 struct PathSpaceHeuristics {
   /// Probability of a bidirectional mutation to replace the whole path.
   /// Unit: probability. Range: (0, 1). Source: docs/notebook/mutations.md, "Half and double of
@@ -78,8 +77,7 @@ struct PathSpaceHeuristics {
   /// no connection makes": in waves, 0.3 % of the light are left out; with kClear it would be 3 %.
   /// With ten times as much it is less than can be told, but single seeds bring a seventh of all.
   static constexpr double kClearOfPoints = 0.01;
-  /// Its guesses pass beside the straight way, or where a photon passed, by no less than this, each
-  /// order of magnitude as often as any other.
+  /// Least angle between its guesses and the straight line, or a photon; log-uniform above.
   /// Unit: radians; from outside of the scene, over π, times twice the angle of its radius from
   /// there; from infinity, over π, times its diameter. Range: (0, π). Source:
   /// docs/notebook/mutations.md, "Seeds of what no connection makes": ten times are worse, if one
@@ -98,8 +96,8 @@ struct PathSpaceHeuristics {
   /// Photons do not follow longer chains.
   /// Unit: vertices. Range: >= 1. Source: set by hand, no study.
   static constexpr int kLongestOfPhotons = 16;
-  /// So many guesses are made before Russian roulette asks whether to go on looking for a chain
-  /// that is to be found again, and from then on at each doubling.
+  /// Guesses before Russian roulette may end the search for a chain that is to be found again; from
+  /// then on it may at each doubling.
   /// Unit: guesses, a power of 2. Range: >= 1. Source: set by hand: a second, which one of 20 000
   /// counts takes in water-caustic.
   static constexpr std::uint64_t kSureGuesses = 1 << 16;

@@ -30,8 +30,8 @@ double rounding_of_rays(const Scene& scene, const ChainEnd& light, const Vec3& e
   return kRounding * std::max(start, size(Vec3d(end)));
 }
 
-/// A place beside `center` as it is seen from another, which misses it by angles up to what the
-/// scene has from there. In double precision, since from afar a float tells no place in the scene.
+/// A random place around `center` as seen from another, at angles up to the scene's extent from
+/// there. In double precision, since from afar floats cannot resolve places in the scene.
 Vec3d guess_beside(const Vec3d& center, const Vec3d& from, const BoundingSphere& sphere,
                    const Vec2& u) {
   const double away = (from - Vec3d(sphere.center)).length();
@@ -48,7 +48,7 @@ Vec3d guess_beside(const Vec3d& center, const Vec3d& from, const BoundingSphere&
   return from + toward * std::cos(angle) + Vec3d(across) * (toward.length() * std::sin(angle));
 }
 
-/// A clear chain, and what tells it from others between the same ends.
+/// A clear chain, and its distance to others between the same ends.
 class KnownChain {
  public:
   KnownChain(const Scene& scene, const ChainEnd& light, std::span<const InnerVertex> chain,

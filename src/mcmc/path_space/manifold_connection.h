@@ -9,11 +9,11 @@
 namespace ajar {
 
 /// Joins a point of a light to a vertex by a specular chain. A guess of it, a ray from the light
-/// that follows events as they come, walks to the vertex. To which of the chains between the two it
-/// comes is owed to chance, with a probability that no one knows; how many guesses it takes to come
-/// there again is one over that on average. Holds the scratch memory of one thread. Source:
-/// Zeltner, Georgiev & Jakob 2020, "Specular manifold sampling for rendering high-frequency
-/// caustics and glints", section 4.2; that guesses are rays from the light is ours.
+/// that follows events as they come, walks to the vertex. The chain that it finds is random, with
+/// unknown probability; the number of guesses until it is found again is the inverse of that on
+/// average. Holds the scratch memory of one thread. Source: Zeltner, Georgiev & Jakob 2020,
+/// "Specular manifold sampling for rendering high-frequency caustics and glints", section 4.2; that
+/// guesses are rays from the light is ours.
 class ManifoldConnection {
  public:
   /// Both must outlive it.
@@ -28,14 +28,14 @@ class ManifoldConnection {
     int most;
   };
 
-  /// Guesses once, by the randomness that `key` names: false if no chain came of it. Whether its
-  /// edges are open, and whether any light takes them, has not been asked.
+  /// Guesses once, by the randomness that `key` names: false if no chain came of it. Neither
+  /// visibility of its edges nor emission along them is tested.
   bool find(const Ends& ends, std::uint64_t key);
   /// Chain that was found, in the order from the light, until the next call.
   std::span<const InnerVertex> chain() const { return walk_.vertices(); }
   /// Estimates 1/p of finding `chain`, which must be clear, each guess counting `discount` times
   /// the one before (`inverse_probability`). By other randomness of `key` than `find`. Long counts
-  /// are up to Russian roulette: 0 if it ends one, and more than the guesses if it does not.
+  /// are subject to Russian roulette: 0 if it ends one, and more than the guesses if it does not.
   double inverse_chance(const Ends& ends, std::span<const InnerVertex> chain, double discount,
                         std::uint64_t key);
 

@@ -38,8 +38,8 @@ class ManifoldSeeds {
   /// On average 1/(w₀ + (1 − w₀) P), P being the probability with which the chain at the light of a
   /// seed is found between its ends, and w₀ its `least_hit_share`.
   double inverse_chance(const Seed& seed);
-  /// On average the MIS weight w = w₀/(w₀ + (1 − w₀) P), by the balance heuristic, of running into
-  /// the light as against this. P is known to no one: it is told by guesses, whose randomness `key`
+  /// The MIS weight w = w₀/(w₀ + (1 − w₀) P) on average, by the balance heuristic, of running into
+  /// the light as against this. P is unknown: it is estimated by guesses, whose randomness `key`
   /// names. 1 for paths that are not of the kind.
   double hit_share(const Path& path, std::uint64_t key);
 

@@ -18,9 +18,9 @@ struct MixedMutation {
 };
 
 /// Steps in path space (Veach 1997, chapter 11): the state is a path, its density in proportion to
-/// the luminance of what it brings to a place in an area of the film. A step chooses among the
-/// mutations that are suitable, by weights that are made to sum to one there; each keeps the
-/// density by itself, so only how often it was chosen counts on both sides.
+/// the luminance of its contribution to an area of the film. A step chooses among the suitable
+/// mutations, by weights that are normalised over them; each keeps the density by itself, so only
+/// the selection probability enters both directions.
 class PathKernel final : public Kernel {
  public:
   /// `scene` must outlive it; at least one mutation. `layer`: of the film, by the number of edges.

@@ -12,7 +12,7 @@ namespace ajar {
 
 namespace {
 
-/// Halvings along each axis that a code tells.
+/// Halvings along each axis in a code.
 constexpr int kLevels = 21;
 
 /// Every third bit.

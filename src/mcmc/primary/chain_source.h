@@ -35,11 +35,9 @@ class RasterUse {
 /// steps at a time. The mutation must outlive it.
 ///
 /// With `PlaneMoves`, the raster numbers of a small step of full length move by them if both the
-/// current state and the proposal use them (`RasterUse`), and by the mutation otherwise. Which of
-/// both it is can be told before the numbers are drawn, since a state's use of them depends on
-/// numbers that it asks for earlier; and it is the same for the step back. So the densities of both
-/// directions are known, and numbers that were not used for a while have missed ordinary steps
-/// only.
+/// current state and the proposal use them (`RasterUse`), and by the mutation otherwise. The use is
+/// known before the numbers are drawn, since a state's use of them depends on numbers that it asks
+/// for earlier; and it is the same for the step back.
 class ChainSource final : public SampleSource {
  public:
   /// `plane` may be null.
@@ -65,8 +63,8 @@ class ChainSource final : public SampleSource {
   void reject();
   /// Accepts a state one small step away from the proposal instead, as `perturb` makes it.
   void accept_moved(std::uint64_t key);
-  /// Tells of a state that was accepted without its numbers having come from here: whether it
-  /// places itself by the raster numbers, and what they are then.
+  /// Notes a state that was accepted with numbers from elsewhere: whether it uses the raster
+  /// numbers for its position, and their values.
   void arrive(bool uses_raster, const Vec2& raster);
   std::size_t block_of(SampleAddress address) const { return numbers_->block_of(address); }
   /// The proposal's block that holds `address`.

@@ -4,7 +4,7 @@
 
 namespace ajar {
 
-/// The fitted numbers of moves in primary sample space, beside parameters, which tell their own
+/// The fitted numbers of moves in primary sample space, beside parameters, which declare their own
 /// ranges, and those of papers (`PlaneRule`).
 struct PrimaryHeuristics {
   /// Largest relative length of steps of the raster numbers alone, log-uniform from 1. Where

@@ -32,7 +32,7 @@ struct PlaneRule {
   double visits_needed() const;
 };
 
-/// Statistics of a pixel: visits by chains, and the light they brought.
+/// Statistics of a pixel: visits by chains, and their light.
 struct PixelVisits {
   float visits = 0.F;
   float light = 0.F;

@@ -26,7 +26,7 @@ struct PrimarySettings {
 };
 
 /// Steps in primary sample space (Kelemen et al. 2002): moves of the vector of uniform numbers that
-/// a target's state is made of. Which move a step makes does not depend on the state.
+/// a target's state is made of. The choice of a move does not depend on the state.
 class PrimaryKernel final : public Kernel {
  public:
   /// The mutation, the target, and `plane`, which may be null, must outlive it. Raises

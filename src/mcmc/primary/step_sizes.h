@@ -12,7 +12,7 @@ namespace ajar {
 inline constexpr std::size_t kBlockSize = (static_cast<std::size_t>(Slot::kCount) + 1) / 2 * 2;
 
 /// Length of small steps in each kind of primary number, relative to the mutation's own step.
-/// Numbers that choose (a lobe, a light) may deserve longer steps than those that place; with 0 a
+/// Numbers that choose (a lobe, a light) may need longer steps than those that place; with 0 a
 /// number keeps its value until the next large step.
 struct StepSizes {
   using Scales = std::array<float, kBlockSize>;
