@@ -154,8 +154,8 @@ class TemporaryFile {
   /// Raises IoError that names `path`.
   TemporaryFile(const fs::path& path, const Target& target) : target_(target) {
     int reason = EEXIST;
-    // Never through what is there: a link that somebody has put there, or the file of a process of
-    // the same number that was killed.
+    // Exclusive creation: neither a planted link is followed, nor the file of a killed process of
+    // the same number replaced.
     while (reason == EEXIST) {
       path_ = temporary_path(target.path);
       reason = file_.open(path_, O_WRONLY | O_CREAT | O_EXCL);

@@ -7,7 +7,7 @@
 namespace ajar {
 
 /// Replaces a file in one step: writes a temporary file in the same folder, forces it to disk, and
-/// renames it. Whatever happens (disk full, kill −9, power), the path holds either the old content
+/// renames it. After any failure (disk full, kill −9, power), the path holds either the old content
 /// or the new, whole. The file keeps its mode, and the links that lead to it stay. Raises IoError
 /// with the reason, which may be that the file is write-protected; the temporary file is then gone
 /// and the old file untouched. Paths that exist but are not regular files (/dev/stdout, >(…) of a
@@ -20,7 +20,7 @@ void write_file_atomically(const std::filesystem::path& path,
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
 /// Raises the IoError that `write_file_atomically` would raise now, but for a full disk, and leaves
-/// everything as it is. For whoever would learn of it after hours of work.
+/// everything as it is. Called before hours of work.
 void check_file_can_be_written(const std::filesystem::path& path);
 
 /// A name in the folder of `path` for what will replace it: hidden, not longer for a longer name,

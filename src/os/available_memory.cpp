@@ -96,7 +96,7 @@ bool fits_into_memory(std::uint64_t bytes, std::uint64_t available) {
 }
 
 std::string memory_shortage(std::uint64_t bytes) {
-  // Below this, asking takes longer than it is worth.
+  // For fewer bytes the check costs more than the allocation.
   constexpr std::uint64_t kSmall = std::uint64_t{1} << 24U;
   if (bytes <= kSmall) return {};
   const std::uint64_t available = available_memory_bytes();

@@ -45,7 +45,7 @@ FileLock::FileLock(FileLock&& other) noexcept
 
 FileLock::~FileLock() {
   if (file_ < 0) return;
-  // While it is still held: nobody else's is removed.
+  // Removed while it is still held, so that no other process's file is.
   ::unlink(path_.c_str());
   ::close(file_);
 }

@@ -5,9 +5,9 @@
 /// closed terminal, a full disk, a pipe without a reader.
 namespace ajar {
 
-/// Writes to stderr, for people and for programs that follow a render. What cannot be written is
-/// dropped: also where a reader has stopped reading, after waiting for it for a second. Raises
-/// nothing; thread-safe, but several calls may be mixed with those of other threads.
+/// Writes to stderr, for people and for programs that follow a render. Unwritable text is dropped:
+/// also where a reader has stopped reading, after waiting for it for a second. Raises nothing;
+/// thread-safe, but several calls may be mixed with those of other threads.
 void say(std::string_view text);
 /// Prints on stdout, for scripts: results such as the place of a file.
 void say_on_stdout(std::string_view text);
