@@ -28,18 +28,16 @@ double way_in(const Scene& scene, const ChainEnd& start, const Vec3d& place);
 /// Moves the end b of a specular chain a, s₁ … sₙ, b to another place while a stays, by Newton's
 /// method: steps in the tangent plane of s₁, from which the chain is traced again from a, by the
 /// same specular events (lobe and side), and by facets of the same offset normals at rough
-/// vertices, at whatever surfaces rays meet; a step that does not bring the end nearer is halved.
-/// What comes of a walk depends on nothing else: no number is random. Source: Jakob & Marschner
-/// 2012, "Manifold exploration", section 4.2; that the end need not be on a surface is ours. Holds
-/// the scratch memory of one thread.
+/// vertices, at whatever surfaces rays meet; a step that does not reduce the distance of the end is
+/// halved. Walks are deterministic. Source: Jakob & Marschner 2012, "Manifold exploration", section
+/// 4.2; that the end need not be on a surface is ours. Holds the scratch memory of one thread.
 class ManifoldWalk {
  public:
   explicit ManifoldWalk(const Scene& scene) : scene_(scene), linear_(scene) {}
 
   /// Walks from `vertices` (in the order from the start), which lead to some place, to those that
-  /// lead to `target`: false if none were found. Whether the last edge is open has not been asked.
-  /// `offsets`: those that rough vertices come to have, other than what they have at first; none if
-  /// all are specular.
+  /// lead to `target`: false if none were found. Visibility of the last edge is not tested.
+  /// `offsets`: new offset normals of rough vertices; none if all are specular.
   bool walk(const ChainStart& start, std::span<const InnerVertex> vertices, const Vec3& target,
             std::span<const OffsetNormal> offsets = {});
   /// Follows the ray from `start` through a place by specular events as the surfaces choose them,

@@ -70,8 +70,8 @@ double technique_pdf(const Scene& scene, const Path& path, Technique technique);
 /// (docs/methods/notation.md, "Deltas").
 double specular_spread(const Scene& scene, const Path& path, int x);
 
-/// f / p: what one try of the technique that makes this path brings, without MIS weight. Black if
-/// the technique cannot.
+/// f / p: contribution of one try of the technique that makes this path, without MIS weight. Black
+/// if the technique cannot.
 Spectrum throughput(const Scene& scene, const Path& path, Technique technique);
 
 /// Expected tries of a technique for one camera sample (techniques (s, 1): per pixel of the full

@@ -12,8 +12,8 @@ inline Hit bare_hit(const Vec3& p) {
   return {{0.F, 0, 0, EndpointPoint::at(p).surface, false}, nullptr, nullptr, nullptr, 0, 0};
 }
 
-/// A vertex of a path between its ends: x_1 … x_{k-1}, on a surface or in a medium. Whatever is
-/// needed to scatter there again, in any direction, is held by value.
+/// A vertex of a path between its ends: x_1 … x_{k-1}, on a surface or in a medium. The state to
+/// scatter there again, in any direction, is held by value.
 struct InnerVertex {
   Hit hit = bare_hit(Vec3(0.F));  ///< hit of the surface; inside a medium only the position
   /// Inside a medium, this one; on surfaces that rays cross without changing their medium, theirs.

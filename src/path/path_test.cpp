@@ -86,7 +86,8 @@ TEST(PathInversion, DrawsLostNumbersAfresh) {
     PathPrimaries& numbers = inversion->numbers;
     EXPECT_EQ(numbers.blocks(Stream::Camera).size(), static_cast<std::size_t>(technique.t));
     EXPECT_EQ(numbers.blocks(Stream::Light).size(), static_cast<std::size_t>(technique.s));
-    // A pinhole has no place, matte surfaces have one lobe, and nobody asks beyond the path.
+    // A pinhole has no place, matte surfaces have one lobe, and there are no numbers beyond the
+    // path.
     for (const SampleAddress address : {SampleAddress(Stream::Camera, 0, kEmissionPosition),
                                         SampleAddress(Stream::Light, 9, Slot::LightPositionX)}) {
       EXPECT_EQ(numbers.get_pair(address), fresh.get_pair(address));

@@ -218,7 +218,7 @@ TEST(SpecularChain, IsMirroredWhereRaysBesideHaveCrossed) {
           moved[side++] = beside->last + beside->w * way - end;
         }
         const double area = moved[0].cross(moved[1]).dot(middle->w);
-        // Near a focus it cannot be told.
+        // Near a focus it is undefined.
         if (std::abs(area) < 0.05 * moved[0].length() * moved[1].length()) continue;
         SpecularChain chain(*scene);
         ASSERT_TRUE(chain.set({Vec3d(c.start)}, middle->vertices, {end}, c.offsets));

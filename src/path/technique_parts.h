@@ -19,8 +19,8 @@ class TechniqueParts {
 
   struct Part {
     double weight = 0.0;  ///< MIS weight; 0 if the technique does not make the path
-    /// Luminance of what one try brings, as `Contribution::value` has it: MIS weight in it, what is
-    /// owed to chance not.
+    /// Luminance of the contribution of one try, as `Contribution::value` has it: with its MIS
+    /// weight, without its roulette weight.
     double light = 0.0;
   };
   /// Parts of techniques (s, k + 1 − s), for s = 0 … k; valid until the next call. `log_light`: ln
