@@ -92,7 +92,7 @@ TEST(BuiltinDenoiser, LeavesAPictureWithoutNoiseAsItIs) {
 }
 
 TEST(BuiltinDenoiser, KeepsEdgesOfFeatures) {
-  // Two walls, one of which faces less light than the noise of a pixel can tell.
+  // Two walls, one of which receives less light than the noise of a pixel.
   std::vector<float> truth = ramp();
   Features features{std::vector<float>(3 * kRampPixels, 0.5F),
                     std::vector<float>(3 * kRampPixels, 0.F)};

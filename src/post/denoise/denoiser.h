@@ -16,17 +16,17 @@ namespace ajar {
 struct NoisyPicture {
   Vec2i size{0, 0};
   std::span<const float> colour;
-  /// Two pictures of independent samples whose mean it is, if they are known: they tell noise from
-  /// light. Both empty if not.
+  /// Two pictures of independent samples whose mean it is, if they are known: their difference
+  /// shows the noise.
   std::array<std::span<const float>, 2> halves = {};
-  /// Nobody looks at it: a filter that is nearly the same, and faster, will do.
+  /// For previews: a nearly equal, faster filter will do.
   bool roughly = false;
 };
 
 /// A filter that takes the noise of rendering out of a picture.
 class Denoiser {
  public:
-  /// Told how much is done, in [0, 1], by any thread; false ends the work.
+  /// Receives the finished part, in [0, 1], from any thread; false cancels the work.
   using Progress = std::function<bool(double done)>;
 
   virtual ~Denoiser() = default;

@@ -109,7 +109,7 @@ std::string library_complaint(const std::filesystem::path& path) {
       })) {
     return kShort;
   }
-  // Nobody needs the table of sections, but it is the end of the file.
+  // The table of sections is unused, but it is the end of the file.
   if (!file.has(header->e_shoff, std::uint64_t{header->e_shnum} * header->e_shentsize)) {
     return kShort;
   }

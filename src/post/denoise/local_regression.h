@@ -9,7 +9,7 @@ namespace ajar {
 /// Inputs of a local regression; all planes of one size.
 struct RegressionInput {
   const std::vector<Plane>& colour;  ///< filtered values: three channels
-  const std::vector<Plane>& guide;   ///< tells which pixels are alike: three channels
+  const std::vector<Plane>& guide;   ///< guide of similarity: three channels
   const std::vector<Plane>&
       variance;  ///< variance of each value of the guide, without that of pixels around
   const std::vector<Plane>& features;  ///< noise-free regressors; none or six

@@ -74,7 +74,7 @@ TEST(MixEstimates, PrefersTheUnfilteredPictureWhereTheFilterIsBiased) {
 }
 
 /// Filters do better the less noise they see. If the bias of a replicate were that of the whole,
-/// both would have equal shares here, and grain would stay in the picture.
+/// both would have equal weights here, and noise would stay in the picture.
 TEST(MixEstimates, AssumesThatTheMeanIsFilteredBetterThanAReplicate) {
   const std::vector<float> truth(kMixedValues, 1.F);
   const Replicates replicates = noisy(truth, 0.6F);
