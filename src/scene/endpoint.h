@@ -99,8 +99,8 @@ class Endpoint {
   /// Densities with which `sample_emission` gives this vertex and this direction of travel.
   virtual EmissionPdf emission_pdf(const EndpointPoint& point, const Vec3& w) const = 0;
   /// The numbers by which `sample_emission` gives this vertex and the ray along `w` through the
-  /// point `through`. What it forgets is taken from `fresh` (docs/methods/inverses.md); the density
-  /// of the numbers is that of `emission_pdf`. Empty if it never does.
+  /// point `through`. Undetermined numbers are taken from `fresh` (docs/methods/inverses.md);
+  /// the density of the numbers is that of `emission_pdf`. Empty if it never does.
   virtual std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
                                                           const Vec3& through, const Vec3& w,
                                                           const EmissionUniforms& fresh) const = 0;

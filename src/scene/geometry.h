@@ -62,7 +62,7 @@ class Geometry {
             static_cast<int>(!std::isnan(ray.t_max))) != 0;
   }
   /// Raises SceneError, located at the instance, if there is one into whose space rays cannot be
-  /// brought that start at coordinates of `reach`.
+  /// transformed that start at coordinates of `reach`.
   void require_reach(double reach, const desc::SceneDesc& description) const;
 
   /// From now on every ray is written to `log`, until it is null again. For benchmarks: one thread

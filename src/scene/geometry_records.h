@@ -22,10 +22,10 @@ struct ShapeRecord {
   std::optional<Placement> placement;
   TextureSlot alpha{Spectrum(1.F)};
   TextureSlot shadow_alpha{Spectrum(1.F)};
-  bool alpha_counted = false;  ///< hits where it is 0 are told instead of left out
+  bool alpha_counted = false;  ///< reports hits where it is 0 instead of leaving them out
   bool reversed = false;
   bool derivatives = true;  ///< compute derivatives of hits
-  /// Hits of the triangles at the ends of a ray must be told from real ones.
+  /// Hits of the triangles at the ends of a ray must be distinguished from real ones.
   bool check_plane = false;
 
   bool present() const { return mesh || curve || quadric; }
@@ -77,8 +77,8 @@ inline Vec2 barycentric_of(const TriangleMesh& mesh, const RTCHit& hit, const Ra
   return std::isfinite(b.x) && std::isfinite(b.y) ? b : Vec2(hit.u, hit.v);
 }
 
-/// Brings a point of an instanced object into the world, with its derivatives or without; `p` is
-/// its place there before it was rounded, which may be by much of what is left in the world.
+/// Transforms a point of an instanced object into the world, with its derivatives or without; `p`
+/// is its place there before it was rounded, which may be by much of what is left in the world.
 void place_point(const Placement& instance, const Vec3d& p, bool derivatives, SurfacePoint& point);
 
 /// Box of a quadric in its final place.

@@ -192,7 +192,8 @@ TEST(SelfIntersection, InstancesFarAway) {
   expect_no_self_hits(world, {-2000, 0.5F, -1000}, 1.F);
 }
 
-/// Objects far from their own origin are rounded there, by more than where its instance brings it.
+/// Objects far from their own origin are rounded there, by more than in the place of their
+/// instance.
 TEST(SelfIntersection, InstancesFarFromTheirObjectOrigin) {
   const Mat4 far = rotation({3, 1, 2}, 0.4) * translation(5000, 4000, 3000);
   desc::Mesh triangle = square(1.F);

@@ -85,8 +85,8 @@ class Scene {
     return *materials_[static_cast<std::size_t>(id)];
   }
 
-  /// By `Hit::object_id` and `Hit::material_id`. What has no name in the description is called
-  /// shape-N or material-N, N its number in the layers "object-id" and "material-id" (from 1).
+  /// By `Hit::object_id` and `Hit::material_id`. Unnamed ones are called shape-N or material-N, N
+  /// the number in the layers "object-id" and "material-id" (from 1).
   std::span<const std::string> object_names() const { return object_names_; }
   std::span<const std::string> material_names() const { return material_names_; }
 

@@ -6,8 +6,8 @@
 
 namespace ajar {
 
-/// A point on a surface with everything that textures and materials need. World space. The
-/// derivatives are left zero where nobody asked for them: only bumps and anisotropic materials do.
+/// A point on a surface with everything that textures and materials need. World space. Derivatives
+/// are zero unless requested: only bumps and anisotropic materials need them.
 struct SurfacePoint {
   Vec3 p;
   Vec3 ng;  ///< unit geometric normal; its side is that of the shape's orientation, not of the ray

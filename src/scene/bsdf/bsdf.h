@@ -22,7 +22,7 @@ struct BsdfValue {
 /// Scattering event: a part of the path, beside the direction itself.
 struct ScatterEvent {
   static constexpr std::int8_t kRough = -1;
-  /// Number of the specular lobe, or `kRough` for all others, which are told apart by nothing.
+  /// Number of the specular lobe, or `kRough` for all others together.
   std::int8_t lobe = kRough;
   bool transmission = false;
   bool specular() const { return lobe != kRough; }
@@ -101,11 +101,11 @@ class Bsdf {
   /// inverted, or if `wo` grazes the surface so much that nothing is sampled.
   std::optional<LobeInverse> inverse(const Vec3& wo, const Vec3& wi, float u_lobe,
                                      Inverted lobes) const;
-  /// The numbers by which `sample` goes from `wo` to `wi` by this event, the lobe's too. What it
-  /// forgets (which of several lobes it was, the numbers that it did not look at) is taken from
-  /// `fresh`: if that is uniform, the result is distributed as the numbers of all samples that come
-  /// to `wi`; their density is that of the sample. Empty if it never does. Of specular events the
-  /// direction is not looked at.
+  /// The numbers by which `sample` goes from `wo` to `wi` by this event, the lobe's too.
+  /// Undetermined numbers (the choice among several lobes, unused ones) are taken from `fresh`: if
+  /// that is uniform, the result is distributed as the numbers of all samples that give `wi`; their
+  /// density is that of the sample. Empty if it never does. The direction of specular events is
+  /// ignored.
   std::optional<BsdfUniforms> invert(const Vec3& wo, const Vec3& wi, ScatterEvent event,
                                      const BsdfUniforms& fresh) const;
   /// Sample of `wo` by this specular event; empty if the event is impossible.

@@ -77,8 +77,7 @@ class Coat {
   }
 
  private:
-  /// α in steps of 1/65535, which is all that the tables tell apart; so that metals with their
-  /// coats stay small.
+  /// α in steps of 1/65535, the resolution of the tables; keeps metals with their coats small.
   static std::uint16_t packed_alpha(float alpha) {
     return alpha > 0.F ? static_cast<std::uint16_t>(std::ceil(std::min(alpha, 1.F) * 65535.F)) : 0;
   }
@@ -152,7 +151,7 @@ inline Spectrum coated_reflectance(const Spectrum& metal, const Coat& coat, floa
 }
 
 /// Rough metal under a coat: light is refracted, reflected off the metal's facets and refracted
-/// again. What leaves the metal at an angle at which the coat reflects all of it is lost.
+/// again. Light that meets the coat from inside beyond the critical angle is lost.
 struct CoatedConductor {
   static constexpr bool kSpecular = false;
   Microfacets facets;        ///< facets of the metal, with the blur of a rough coat

@@ -26,7 +26,7 @@ float cosine_inside(int node) {
   return std::max(static_cast<float>(node) / (kCosinesInside - 1), 1e-4F);
 }
 
-/// A normal of facets, and the area of those that it stands for.
+/// A normal of facets, and the area of its cell.
 struct Facet {
   Vec3 normal;
   float area;

@@ -11,8 +11,8 @@ struct RoughBoundary {
 };
 
 /// Light that meets facets of a rough boundary once, tabulated; α and index beyond the table are
-/// those of its ends (α 1, index 20). What meets a second facet is in none of it, so that reflected
-/// and refracted shares add up to less than 1.
+/// those of its ends (α 1, index 20). Light that meets a second facet is left out, so that
+/// reflected and refracted shares add up to less than 1.
 namespace coat_table {
 
 /// Share that is reflected back outside, of light from this cosine outside.

@@ -96,7 +96,7 @@ class Microfacets {
     return {r * std::cos(phi) + w.x, r * std::sin(phi) + w.y, z + w.z};
   }
 
-  /// `m` is the normal that the point of the cap stands for: it mirrors `w` to that point.
+  /// `m` is the normal of the point of the cap: it mirrors `w` to that point.
   static Vec2 ggx_inverse(const Vec3& w, const Vec3& m) {
     const float twice = 2.F * dot(w, m);
     const Vec3 c = m * twice - w;

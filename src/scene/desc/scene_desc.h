@@ -27,8 +27,8 @@ struct Texture {
   Node node;  ///< refers only to textures with a smaller id
 };
 
-/// Shading normals by a texture: its colour c stands for 2c − 1 along dp/du, across it and along
-/// the normal.
+/// Shading normals by a texture: its colour c encodes 2c − 1 along dp/du, across it and along the
+/// normal.
 struct NormalMap {
   TextureId texture = kNone;
   float strength = 1;  ///< multiplies the first two lanes of 2c − 1

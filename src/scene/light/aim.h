@@ -10,10 +10,10 @@
 
 namespace ajar {
 
-/// Aims what a lamp emits at what it can meet. A lamp far off, such as a disk that stands for the
-/// sun, sends nearly all of its light past the scene. So directions are a mixture: uniform in the
-/// cone around the sphere of the receivers, and else the lamp's own, since it may also light
-/// another lamp (docs/methods/light-sampling.md).
+/// Restricts a lamp's emission to the scene's receivers. A lamp far off, such as a disk as the sun,
+/// sends nearly all of its light past the scene. So directions are a mixture: uniform in the cone
+/// around the sphere of the receivers, and else the lamp's own, since it may also light another
+/// lamp (docs/methods/light-sampling.md).
 class Aim {
  public:
   /// Directions of a lamp without receivers.

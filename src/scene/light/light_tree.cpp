@@ -235,8 +235,8 @@ LightTree::Lanes LightTree::importance(const Node& node, const Vec3& reference) 
   const Lanes irradiance = node.intensity / (squared + kSoftening * node.radius_squared);
 
   // Angles at the node: θ from the axis to the reference, θ_b of half the sphere as seen from
-  // there, θ_o of the normals. The least angle to any normal is θ' = max(0, θ − θ_o − θ_b). What is
-  // not a number, from within the sphere, is not used.
+  // there, θ_o of the normals. The least angle to any normal is θ' = max(0, θ − θ_o − θ_b). NaN,
+  // from within the sphere, is not used.
   const Lanes inverse_squared = 1.F / squared;
   const Lanes along =
       (x * node.axis[0] + y * node.axis[1] + z * node.axis[2]) * square_root(inverse_squared);
@@ -265,7 +265,7 @@ LightTree::Lanes LightTree::importance(const Node& node, const Vec3& reference) 
 LightTree::Lanes LightTree::shares(const Node& node, const Vec3& reference) {
   const auto sum = [](Lanes x) { return (x[0] + x[1]) + (x[2] + x[3]); };
   Lanes weights = importance(node, reference);
-  // If no light below reaches the reference, the bounds above just could not tell.
+  // The bounds above were too loose if no light below reaches the reference.
   if (!(sum(weights) > 0.F)) weights = node.intensity;
   // Nonzero probabilities stay nonzero although uniform numbers are rounded.
   const Lanes least = (Lanes{} + 0x1p-22F) * sum(weights);

@@ -109,7 +109,7 @@ TEST(LightTree, DoesNotChooseLightsThatFaceAway) {
   lamps.add(quad(0.1F, y, x), area_light({1, 1, 1}));  // toward −z
   lamps.add(quad(0.05F, y, x), area_light({1, 1, 1}, true));
   const LightTree tree(items_of(lamps));
-  // Quads that share a node are told apart one level below: the rest need not be even.
+  // Quads that share a node are separated one level below: the rest need not be even.
   const std::vector<double> above = probabilities(tree, 3, {0.2F, 0.1F, 5.F});
   EXPECT_GT(above[0], 0.3);
   EXPECT_EQ(above[1], 0.0);

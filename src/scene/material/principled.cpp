@@ -13,9 +13,9 @@ Microfacets stretched_facets(FacetModel model, float roughness, float aspect) {
 }
 
 /// Disney's "principled" model. Sources: Burley 2012 and 2015, combined as Mitsuba 3 or pbrt-v3 do;
-/// or in layers, as in appendix B of glTF 2.0. What transmits has an inside, where it is mere
-/// glass, as in Mitsuba: pbrt's has diffuse light there beside total reflection, which grows
-/// without end. All else is the same from both sides.
+/// or in layers, as in appendix B of glTF 2.0. Transmissive materials have an inside, where they
+/// are mere glass, as in Mitsuba: pbrt's has diffuse light there beside total reflection, which
+/// grows without bound. Others are the same from both sides.
 class Principled final : public Material {
  public:
   explicit Principled(const MaterialInputs& in);

@@ -13,10 +13,10 @@ struct ReliefFrame {
 /// units). Where the displaced surface has no normal, those of `at`. Source: pbrt-v3, section 9.3.
 ReliefFrame bump_frame(const TextureSlot& displacement, const SurfacePoint& at);
 
-/// Frame of a normal map: its colour c stands for the vector 2c − 1, of which `strength` multiplies
+/// Frame of a normal map: its colour c encodes the vector 2c − 1, of which `strength` multiplies
 /// the first two lanes. The axes are dp/du and the perpendicular to it on the side of dp/dv; if
-/// `right_handed`, ns × dp/du in place of the latter. The third lane is along ns. Where that is no
-/// direction, the normal of `at`.
+/// `right_handed`, ns × dp/du in place of the latter. The third lane is along ns. The normal of
+/// `at` where that is no direction.
 ReliefFrame normal_map_frame(const TextureSlot& normals, float strength, bool right_handed,
                              const SurfacePoint& at);
 

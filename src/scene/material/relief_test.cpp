@@ -56,7 +56,7 @@ TEST(Bump, KeepsTheNormalOnItsSideAndWhereItIsDegenerate) {
   EXPECT_EQ(bump_frame(TextureSlot(&ramp), pinched).ns, Vec3(0.F, 0.F, 1.F));
 }
 
-/// The colour that stands for a vector in a normal map.
+/// The colour of a vector in a normal map.
 TextureSlot code_of(const Vec3& n) {
   const Vec3 c = (n + Vec3(1.F)) * 0.5F;
   return TextureSlot(Spectrum(c.x, c.y, c.z));

@@ -35,7 +35,7 @@ class Lattice {
   Place locate(const Vec3& p) const;
   Inside clip(const Ray& ray, float distance) const;
 
-  /// `value_at(index)` of a point, the index being that in arrays of the grid. Of what is no point:
+  /// `value_at(index)` of a point, the index being that in arrays of the grid. Outside of the grid:
   /// `beyond`, or the value of the nearest one if the grid's border is clamped.
   template <typename Value, typename ValueAt>
   Value value(const Cell& point, const ValueAt& value_at, const Value& beyond) const;

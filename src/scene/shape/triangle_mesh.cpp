@@ -169,7 +169,7 @@ void TriangleMesh::place(const Placement& placement, bool unique) {
   if (has_normals_ || has_uvs_) {
     place_with_attributes(placement);
     if (unique) {
-      // Nobody else looks at the mesh, and it was not created const (see the header).
+      // The mesh is uniquely owned, and was not created const (see the header).
       auto& mine = const_cast<desc::Mesh&>(mesh);
       mine.positions = {};
       mine.normals = {};

@@ -17,7 +17,7 @@ class TriangleMesh {
  public:
   using Triangle = Imath::Vec3<unsigned>;
 
-  /// Takes over `source` if nobody else holds it (the mesh must not have been created const);
+  /// Takes over `source` if it is uniquely owned (the mesh must not have been created const);
   /// otherwise only what the transform changes is copied. Raises SceneError, located at `where`,
   /// for indices out of range, and for vertices too far out and triangles too large to be traced;
   /// attributes of the wrong number are dropped with a warning.
@@ -58,7 +58,7 @@ class TriangleMesh {
   /// within some of their own size. 0 if there are none.
   float plane_error() const { return plane_error_; }
   /// Ray parameter of the plane of a triangle in double precision; 0 for rays that start in the
-  /// plane as far as can be told, infinite if parallel.
+  /// plane up to rounding, infinite if parallel.
   double plane_distance(std::uint32_t triangle, const Vec3d& origin, const Vec3d& direction) const;
 
  private:
@@ -69,7 +69,7 @@ class TriangleMesh {
     Vec2 uv;
   };
 
-  /// Brings vertices into place. If the source is `unique`, in its own memory or instead of it.
+  /// Transforms the vertices. If the source is `unique`, in its own memory or instead of it.
   void place(const Placement& placement, bool unique);
   void place_with_attributes(const Placement& placement);
   const Vec3& position(std::size_t vertex) const {

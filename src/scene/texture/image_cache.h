@@ -45,7 +45,7 @@ struct ImageRequest {
   auto operator<=>(const ImageRequest&) const = default;
 };
 
-/// Reads an image. Of a gray image, all colours are its gray; where there is no alpha, it is 1.
+/// Reads an image. The colours of a gray image are its gray; without an alpha channel, alpha is 1.
 /// Colours are not multiplied with alpha. Throws IoError with the reason.
 TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFiles& embedded = {});
 
