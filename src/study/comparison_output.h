@@ -9,7 +9,8 @@ namespace ajar::study {
 /// The table that `ajar compare` prints, what its columns mean, and the tests for bias.
 std::string to_text(const Comparison& comparison);
 
-/// The comparison as one object, keys as in docs/compare.md. Missing values are null;
+/// The comparison as one object, keys as in docs/compare.md. Missing values are null; so is
+/// the infinite PSNR of equal pictures.
 nlohmann::ordered_json to_json(const Comparison& comparison);
 
 /// Legend of the columns and conditions of the metrics; lines that end in a newline.

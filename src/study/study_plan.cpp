@@ -262,8 +262,8 @@ void check_unique(const JsonNode& node, const std::vector<std::string>& names) {
   }
 }
 
-/// Scenes that are named after their files, but not the only ones of that name, get as many folders
-/// before it as it takes to tell them apart.
+/// Scenes that are named after their files get as many parent folders before their name as make it
+/// unique.
 void tell_apart(const std::vector<JsonNode>& nodes, std::vector<StudyScene>& scenes) {
   std::vector<fs::path> above;  // folders that the names do not have yet
   for (std::size_t i = 0; i < scenes.size(); ++i) {

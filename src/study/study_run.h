@@ -45,8 +45,8 @@ struct RunRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws not
   double seconds() const;
   std::optional<double> metric(const std::string& name) const;
   std::optional<double> number(const std::string& statistic) const;
-  /// Processor time of the rendering, of what its threads could have had of this machine: near 1
-  /// where nothing else runs. Empty if unknown, or for less than half a second, which tells little.
+  /// CPU time of the rendering over that available to its threads on this machine: near 1 where
+  /// nothing else runs. Empty if unknown, or for less than half a second, which is too short.
   std::optional<double> cpu_share() const;
   /// True if the CPU share is less than `kFairCpuShare`.
   bool is_disturbed() const;

@@ -7,7 +7,7 @@
 namespace ajar::study {
 
 namespace {
-/// Noise of the reference that decides more than this part of an error is worth a mark.
+/// Noise of the reference is marked if it is more than this part of an error.
 constexpr double kLoudReference = 0.1;
 
 std::string with_error(const Mean& mean) {
