@@ -16,9 +16,8 @@ struct Contribution {
   Spectrum value;  ///< f / p · MIS weight
   Technique technique;
   double mis_weight;
-  /// The factor in `value` that is owed to chance alone: what Russian roulette and the culling of
-  /// weak connections multiply survivors by. Without it, `value` is a function of the path and its
-  /// technique.
+  /// Roulette weight in `value`: the factor of survivors of Russian roulette and of the culling of
+  /// weak connections. Without it, `value` is a function of the path and its technique.
   float chance = 1.F;
   /// Technique (0, t) only: no edge of the path could have been made by a connection, since one end
   /// of each scatters by a specular lobe.
@@ -73,9 +72,9 @@ struct PathSamplerSettings {
   /// image's pixels that these calls cover. If `sample` traces them itself: `light_subpaths` times
   /// that share.
   double light_paths_per_pixel = 1.0;
-  /// Efficiency-aware Russian roulette (after Rath et al. 2022): what the rest of a camera subpath
-  /// brings per unit of its throughput, root mean square, over the root of the rays that it takes.
-  /// Subpaths then survive as often as that is worth (`PathSink::worth`), from
+  /// Efficiency-aware Russian roulette (after Rath et al. 2022): contribution of the rest of a
+  /// camera subpath per unit of its throughput, root mean square, over the root of the rays that it
+  /// takes. Subpaths then survive in proportion to its worth (`PathSink::worth`), from
   /// `TransportHeuristics::kEfficientRouletteStart` on. 0: not known; roulette follows the
   /// throughput alone.
   float camera_rest = 0.F;
@@ -101,8 +100,8 @@ class PathSampler {
   void sample_light(SampleSource& source, PathSink& sink);
 
   // One technique at a time, half by half, for chains that move one half and keep the other. All
-  // paths must have the same depth (`min_depth` = `max_depth`). Vertices are `told`, unless that is
-  // null: chains need none of them, and have no time for it.
+  // paths must have the same depth (`min_depth` = `max_depth`). `told` observes the vertices,
+  // unless it is null: chains need none of them.
 
   /// The last of the `vertices` − 1 ≥ 1 vertices that a light subpath has in the scene; false if it
   /// does not get there, or cannot be connected.
@@ -144,8 +143,7 @@ class PathSampler {
   }
   /// A camera path that runs into the lights at infinity.
   void leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const;
-  // Halves, in path_halves.cpp. `told` is of the class itself that is told, so that nobody costs
-  // nothing.
+  // Halves, in path_halves.cpp. Templated, so that the null observer compiles away.
   template <typename Told>
   bool light_half(SampleSource& source, int vertices, PathVertex& end, Told& told);
   template <typename Told>

@@ -46,14 +46,14 @@ struct SegmentEnd {
   const Medium* medium;     ///< at the end
   float distance;           ///< from the ray's origin; infinity if it left the scene
   bool scattered = false;   ///< in `medium`, at origin + distance · direction
-  bool lost = false;        ///< the ray could not be traced: nobody knows what it would have met
+  bool lost = false;        ///< the ray could not be traced: its end is unknown
   Spectrum weight{1.F};     ///< transmittance (· σ_s) / distance pdf
   ByLane lanes = kAnyLane;  ///< live lanes of the subpath up to here
   Segment segment;
 };
 
-// The numbers by which `trace_segment` ends segments that cross scattering media. What it forgets
-// is taken from `fresh` (docs/methods/inverses.md).
+// The numbers by which `trace_segment` ends segments that cross scattering media. Undetermined
+// numbers are taken from `fresh` (docs/methods/inverses.md).
 
 /// The number of `kLaneChoice`. `pdf`: density of the whole path by each lane. Empty if no lane
 /// makes it.
@@ -85,8 +85,8 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium, cons
 /// True if anything at all lies on `ray`, or it cannot be traced. Counts the ray either way.
 bool is_blocked(const Scene& scene, const Ray& ray, RayCounts& rays);
 
-/// The segment between two points if nothing opaque lies between them; empty if interfaces may,
-/// which only tracing tells.
+/// The segment between two points if nothing opaque lies between them; empty if there may be
+/// interfaces, which need tracing.
 std::optional<Segment> unobstructed(const Scene& scene, const Ray& ray, const Medium* medium);
 
 /// Direction along the path of a ray that passes lights: beyond an interface that counts, as seen

@@ -50,9 +50,9 @@ class IndependentSource final : public SampleSource {
 
 /// Owen-scrambled Sobol' points: each pair of slots of each vertex has its own scrambled and
 /// shuffled two-dimensional set ("padding"). The numbers of a vertex are made at once when the
-/// first of them is asked for, but for those of media, which few paths need. Whether connections
-/// are tried is decided by independent numbers: there are many of them, one at a time, and points
-/// so far from the first would be no better. Source: Kollig & Keller 2002; Burley 2020.
+/// first of them is requested, but for those of media, which few paths need. The roulette of
+/// connections uses independent numbers: there are many of them, one at a time, and points so far
+/// from the first would be no better. Source: Kollig & Keller 2002; Burley 2020.
 class SobolSource final : public SampleSource {
  public:
   explicit SobolSource(const SampleIdentity& identity)

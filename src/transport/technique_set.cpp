@@ -93,7 +93,7 @@ std::vector<TechniqueClass> classes_of(const TechniqueSet::Rule& rule) {
   std::vector<TechniqueClass> result;
   for (int s = 0; s <= 2; ++s) {
     for (int t = 1; t <= 3; ++t) {
-      // The small pairs stand for all larger ones.
+      // The small pairs represent all larger ones.
       const bool same_s = rule.s == TechniqueSet::kAny || std::min(rule.s, 2) == s;
       const bool same_t = rule.t == TechniqueSet::kAny || std::min(rule.t, 3) == t;
       if (same_s && same_t && s + t >= 3) result.push_back(class_of({s, t}));

@@ -37,9 +37,9 @@ constexpr TechniqueClass class_of(Technique technique) {
 /// "implicit", "explicit", "light" or "inner".
 std::string_view name_of(TechniqueClass kind);
 
-/// The techniques an integrator uses, and how often. MIS weights are over exactly this set, so any
-/// set that covers the light paths of a scene is unbiased. What the lens sees directly, technique
-/// (0, 2), always belongs to it; (1, 1) and (k+1, 0) never do.
+/// The techniques an integrator uses, and their counts. MIS weights are over exactly this set, so
+/// any set that covers the light paths of a scene is unbiased. Direct visibility, technique (0, 2),
+/// always belongs to it; (1, 1) and (k+1, 0) never do.
 ///
 /// A count is the number of tries at each opportunity (a camera vertex for next event estimation, a
 /// light vertex for light tracing, a pair of vertices for inner connections), on average: 0.5
