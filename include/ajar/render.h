@@ -71,7 +71,7 @@ struct Callbacks {
   std::function<void(const std::string&)> warning;
   std::function<void(const std::string&)> note;
   /// A file that could not be written, and where it is instead, or that it will be tried again.
-  /// Where this is empty, `warning` is told.
+  /// Reported as a `warning` if this is empty.
   std::function<void(const std::string&)> trouble;
 };
 
