@@ -22,7 +22,7 @@ class IdentityLayers {
   IdentityLayers(const Film& film, const std::string& name);
   bool empty() const { return layers_[0] < 0; }
   /// Records the identity that sample `sample` of a pixel saw: from 1, 0 for nothing; exact up to
-  /// 2^24 − 2.
+  /// 2^24 − 2. Only the first nine samples of a pixel are kept.
   void add(Film& film, Vec2i pixel, std::uint64_t sample, std::uint32_t number) const;
 
   /// Identities that a pixel's samples saw; only those of samples taken are `known`.
