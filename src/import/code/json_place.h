@@ -10,8 +10,8 @@ namespace ajar::code {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON of a program. Raises UsageError for text that is none, or that is nested more deeply than
-/// anything here has a meaning: whoever walks through it may do so by recursion.
+/// JSON of a program. Raises UsageError for invalid text, or for deeper nesting than any valid
+/// input has: readers may be recursive.
 Json parse_json(std::string_view text);
 
 /// A part of a description: an object, with the place in the program that it came from, and what it

@@ -9,9 +9,9 @@
 #include "scene/desc/models.h"
 #include "scene/desc/scene_desc.h"
 
-/// Scenes that programs describe, and changes of scenes that are there. What has names and values
-/// comes as JSON (docs/c-interface.md), what is large as arrays that it refers to. Models,
-/// parameters, defaults and ranges are those of `scene/desc/models.h`.
+/// Scenes that programs describe, and changes of scenes. Names and values are JSON
+/// (docs/c-interface.md), bulk data arrays that it refers to. Models, parameters, defaults and
+/// ranges are those of `scene/desc/models.h`.
 namespace ajar {
 
 /// Numbers of a program, row by row; `shape` says how many there are along each dimension.

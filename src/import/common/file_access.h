@@ -16,8 +16,8 @@ class FileAccess {
   FileAccess(std::string base_folder, FileProvider provider, Warnings& warnings)
       : base_folder_(std::move(base_folder)), provider_(std::move(provider)), warnings_(warnings) {}
 
-  /// Where `name` is: as the provider knows it, or an absolute path on the disk. A file that is
-  /// spelt in another way is told of where it is named; without `where`, it is not.
+  /// Location of `name`: as the provider knows it, or an absolute path on the disk. A file of
+  /// another spelling is a warning where it is named, if `where` is given.
   std::string resolve(const std::string& name, const SourceLocation& where = {});
   /// Resolves names of untrusted files: raises IoError, with the reason, for names that lead out of
   /// the folder of the scene, by themselves or by links.

@@ -31,8 +31,8 @@ class LocatedJson {
   std::string_view kind_name() const;
   const SourceLocation& where() const { return where_; }
 
-  /// The value of a Bool, Number, String; the parts of an Array, Object. Of any other kind: false,
-  /// zero, empty.
+  /// The value of a Bool, Number, String; the parts of an Array, Object. False, zero or empty for
+  /// other kinds.
   bool flag() const { return flag_; }
   double number() const { return number_; }
   const std::string& text() const { return text_; }

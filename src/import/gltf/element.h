@@ -29,8 +29,8 @@ class Element {
   Element(const Json& value, std::shared_ptr<const Origin> origin, std::string pointer)
       : value_(&value), origin_(std::move(origin)), pointer_(std::move(pointer)) {}
 
-  /// Line and column, and the JSON pointer as the fragment of a URI:
-  /// `room.gltf:12:5#/materials/3`. Those of a .glb count in its JSON.
+  /// Line and column, and the JSON pointer as the fragment of a URI: `room.gltf:12:5#/materials/3`.
+  /// Places in a .glb count from its JSON.
   SourceLocation where() const;
   const std::string& pointer() const { return pointer_; }
   [[noreturn]] void fail(const std::string& message) const;

@@ -9,7 +9,7 @@
 namespace ajar {
 
 /// Reads a file of glTF 2.0. Raises SceneError, with the place, if it cannot be used, IoError if it
-/// cannot be read. What it lacks of camera and lights is added (`import/common/studio.h`).
+/// cannot be read. Missing cameras and lights are added (`import/common/studio.h`).
 desc::SceneDesc import_gltf(const std::string& path, Warnings& warnings,
                             const FileProvider& provider);
 

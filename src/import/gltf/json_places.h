@@ -53,7 +53,7 @@ struct PlacedJson {
   JsonPlaces places;
 };
 
-/// Parses a text. Of members of the same name the last counts. Raises SceneError, with line and
+/// Parses a text. The last of several members of a name counts. Raises SceneError, with line and
 /// column; `name` stands in its message.
 PlacedJson parse_placed_json(std::string_view text, const std::shared_ptr<const std::string>& name);
 

@@ -77,7 +77,7 @@ class Forest {
   }
 
  private:
-  /// Roots of the scene that is shown; without scenes, all nodes that are nobody's children.
+  /// Roots of the scene that is shown; without scenes, all nodes without a parent.
   std::vector<std::size_t> roots() const {
     std::vector<std::size_t> roots;
     const std::vector<Element> scenes = root_.elements("scenes");

@@ -11,7 +11,7 @@ namespace ajar::gltf {
 /// Morph targets and skin of a mesh at one node. Sources: glTF 2.0, sections 3.7.2.2 (morph
 /// targets) and 3.7.3 (skins).
 struct Pose {
-  /// Tells the mesh from the same one at other nodes; empty if nothing moves its vertices.
+  /// Distinguishes the mesh from its copies at other nodes; empty if its vertices do not move.
   std::string name;
   /// Weights of its morph targets: missing ones are 0. Null: all are.
   const std::vector<double>* weights = nullptr;

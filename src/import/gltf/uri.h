@@ -16,8 +16,7 @@ struct UriTarget {
 /// Raises SceneError for damaged data, IoError, with the reason, for other schemes than "data:".
 UriTarget target_of(const Element& uri);
 
-/// The bytes that base64 stands for (RFC 4648, section 4; padding may lack); nothing if it is
-/// damaged.
+/// Decodes base64 (RFC 4648, section 4; padding may lack); nothing if it is damaged.
 std::optional<std::string> decode_base64(std::string_view text);
 
 }  // namespace ajar::gltf

@@ -19,7 +19,7 @@ struct MeshRecipe {
   std::function<desc::Mesh(std::string_view bytes, const std::string& name)> read = read_ply;
   /// Done to the mesh once it is known to be valid; may be empty.
   std::function<void(desc::Mesh&)> finish = {};
-  /// Tells recipes apart that make different meshes of one file.
+  /// Key of recipes that make different meshes of one file.
   std::string variant = {};
 };
 

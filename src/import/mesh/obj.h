@@ -34,7 +34,7 @@ struct ObjPart {
   /// is above 1. Source: output of MeshLab and Blender; Wavefront's manual has no colours.
   std::vector<Vec3> colors;
 };
-/// Told of at its place while a file is read; none may be empty.
+/// Events while a file is read, with their places; none may be empty.
 struct ObjEvents {
   using Event = std::function<void(const SourceLocation&, std::string_view)>;
   Event on_library;  ///< with what `mtllib` says

@@ -16,7 +16,7 @@ class TextLines {
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
   }
 
-  /// False at the end. What `line` gives is there until the next call.
+  /// False at the end. Views from `line` are valid until the next call.
   bool next() {
     if (rest_.empty()) return false;
     line_ = take();

@@ -26,7 +26,7 @@ bool is_constant(const desc::Node& node, const char* name) {
   return std::holds_alternative<Vec3>(node.get(name));
 }
 
-/// Index of a coat. What is below has no gloss if the coat is the thinner medium.
+/// Index of a coat. The base has no gloss if the coat is the thinner medium.
 float index_of_coat(const MaterialInputs& in, std::string_view usual) {
   const float eta = relative_index(in.arguments, usual);
   if (eta < 1.F) {

@@ -15,7 +15,7 @@ class Definitions {
   /// Values `given` take precedence over those that files define.
   explicit Definitions(SceneDefinitions given) : given_(given), values_(std::move(given)) {}
 
-  /// Adds the value of a `<default>`. What was given or defined before counts.
+  /// Adds the value of a `<default>`. Earlier and given values take precedence.
   void define(const std::string& name, const std::string& value);
 
   /// `text` with all `$name` replaced, of several fitting names by the longest; `\$` is a dollar

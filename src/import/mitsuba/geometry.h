@@ -11,7 +11,7 @@ namespace ajar::mitsuba {
 struct Geometry {
   desc::Node node;
   Mat4 to_shape;           ///< from the space of our node to that of Mitsuba's shape
-  bool is_closed = false;  ///< nobody sees it from within, unless it is transparent
+  bool is_closed = false;  ///< invisible from within, unless it is transparent
   std::string name = {};   ///< name of a file
 };
 

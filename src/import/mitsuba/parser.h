@@ -19,7 +19,7 @@ class Parser {
   Parser(SearchPath& files, Warnings& warnings, SceneDefinitions given)
       : files_(files), warnings_(warnings), definitions_(std::move(given)) {}
 
-  /// `name` stands in messages, `path` tells files apart. Raises SceneError.
+  /// `name` is used in messages, `path` identifies the file. Raises SceneError.
   Document parse(std::string_view text, const std::string& name, const std::string& path);
 
  private:

@@ -13,8 +13,7 @@ void read_sensor(Context& context, MediumTable& media, const Element& sensor);
 /// The camera of a scene without a sensor: it sees all from the side of −z.
 void look_at_everything(Context& context);
 
-// In film.cpp:
-/// What Mitsuba takes if nothing is said.
+// In film.cpp: Mitsuba's defaults.
 desc::Film default_film(const SourceLocation& where);
 void read_film(Context& context, const Element& film);
 

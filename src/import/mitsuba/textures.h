@@ -22,7 +22,7 @@ class TextureTable {
   std::optional<desc::Value> find_color(Arguments& arguments, std::string_view name);
   desc::Value color(Arguments& arguments, std::string_view name, const desc::Rgb& fallback);
   /// A texture or a number. A colour's number is its mean in Mitsuba 0.x, its luminance in later
-  /// ones. Of a colour Mitsuba 0.x takes the mean as a number, later ones the luminance.
+  /// ones.
   std::optional<desc::Value> find_number(Arguments& arguments, std::string_view name);
   desc::Value number(Arguments& arguments, std::string_view name, float fallback);
 

@@ -12,8 +12,8 @@ struct UvTransform {
   void set(desc::Node& texture) const;
 };
 
-/// From "to_uv" (Mitsuba 2 and 3) or "uscale", "uoffset", … (0.x). What turns or shears is left
-/// out, with a warning.
+/// From "to_uv" (Mitsuba 2 and 3) or "uscale", "uoffset", … (0.x). Rotation and shear are left out,
+/// with a warning.
 UvTransform read_uv_transform(Arguments& arguments);
 
 }  // namespace ajar::mitsuba

@@ -31,8 +31,8 @@ std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name)
 /// warning.
 std::optional<desc::Rgb> find_coefficient(Arguments& medium, std::string_view name);
 
-/// Gives a medium the extinction and the albedo, as densities or colours if they vary. That of an
-/// albedo which varies where the extinction does not is its mean, with a warning.
+/// Gives a medium the extinction and the albedo, as densities or colours if they vary. A varying
+/// albedo of a constant extinction is replaced by its mean, with a warning.
 void set_extinction(Arguments& arguments, desc::Medium& medium, VolumeValue sigma_t,
                     const VolumeValue& albedo);
 

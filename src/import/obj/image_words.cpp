@@ -59,7 +59,7 @@ std::vector<Word> words_in(std::string_view text) {
 }
 
 /// The option that begins at word `i`, which moves behind it. `is_before_name`: the last word is
-/// the name, whatever it looks like, and options are taken that nobody knows.
+/// the name in any case, and unknown options are accepted.
 std::optional<ImageOption> take_option(const std::vector<Word>& words, std::size_t& i,
                                        bool is_before_name) {
   const std::size_t end = words.size() - (is_before_name ? 1 : 0);

@@ -6,8 +6,8 @@
 
 namespace ajar::obj {
 
-/// Words of our own in it, for what is told of the materials that a face has: an image whose
-/// colour is black, and a material without any colour.
+/// Words of our own in it, for warnings on the materials that a face has: an image whose colour is
+/// black, and a material without any colour.
 inline constexpr char kHiddenImage[] = "ajar_hidden_image";
 inline constexpr char kColorless[] = "ajar_colorless";
 

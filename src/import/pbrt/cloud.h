@@ -29,9 +29,9 @@ bool is_finer_than_grids(const Cloud& cloud, std::uint64_t most_points);
 /// The density at the points of that lattice. Its unit cube is the box.
 desc::DensityGrid tabulate(const Cloud& cloud, std::uint64_t most_points);
 
-/// The grids of all clouds of a file. Those that are the same share one. A new one has at most half
-/// of the points that are left, so that no number of clouds makes more points than there
-/// are at first, but for the 8 that the least one has.
+/// The grids of all clouds of a file. Equal clouds share one. A new one has at most half of the
+/// remaining points, so that no number of clouds exceeds the limit, but for the 8 that the smallest
+/// has.
 class CloudGrids {
  public:
   /// Limit per file: the first cloud alone has up to 256³.

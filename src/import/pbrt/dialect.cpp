@@ -111,7 +111,7 @@ class Scan {
         const std::string path = files_.resolve(included_[i]);
         const FileBytes bytes = files_.load_text(path);
         scan(bytes.view(), included_[i]);
-      } catch (const Error&) {  // is told when the file is read in earnest
+      } catch (const Error&) {  // reported when the file is parsed
       }
     }
     return choice_;
@@ -136,7 +136,7 @@ class Scan {
           string(lexer, directive, token);
         }
       }
-    } catch (const SceneError&) {  // is told when the file is read in earnest
+    } catch (const SceneError&) {  // reported when the file is parsed
     }
   }
 

@@ -20,7 +20,7 @@ struct DialectChoice {
   std::string word = {};      ///< as in `Film "rgb"`
 };
 
-/// Tells what dialect a file is in, by the first of these that says anything:
+/// Determines the dialect of a file, by the first of these that decides:
 ///
 /// 1. the type of the film: "image" is v3; "rgb", "gbuffer" and "spectral" are v4;
 /// 2. directives: WorldEnd is v3; Option, ColorSpace, Attribute and Import are v4;

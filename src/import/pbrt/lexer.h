@@ -52,8 +52,8 @@ class Lexer {
     throw SceneError(where(token), message);
   }
 
-  /// Value of a string with escapes decoded. A backslash that begins none stands for itself: names
-  /// of files on Windows have them.
+  /// Value of a string with escapes decoded. Other backslashes are kept: names of files on Windows
+  /// have them.
   std::string string_value(const Token& token) const;
   /// Values of a number. Raise SceneError if the token is none, is not finite, or does not fit.
   double double_value(const Token& token) const;

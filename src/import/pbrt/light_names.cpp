@@ -21,8 +21,8 @@ const std::vector<ModelName>& lights_of_v3() {
   return kNames;
 }
 
-// Names and defaults: pbrt-v4, src/pbrt/lights.cpp. What they are scaled to, "power" and
-// "illuminance", is in lights.cpp.
+// Names and defaults: pbrt-v4, src/pbrt/lights.cpp. The targets of their scale, "power" and
+// "illuminance", are in lights.cpp.
 const std::vector<ModelName>& lights_of_v4() {
   static const ParameterName kIntensity{"intensity", {"I"}};
   static const ParameterName kImage{"image", {"filename"}};

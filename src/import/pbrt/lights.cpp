@@ -114,7 +114,7 @@ void set_falloff(desc::Node& spot, const ParameterList& parameters) {
                                                static_cast<double>(delta)));
 }
 
-/// pbrt-v3 shows what integers of such an image are, and not what they stand for.
+/// pbrt-v3 uses integers of such an image undecoded.
 void check_codes(Context& context, const SourceLocation& where, const desc::Node& light) {
   if (!light.has("image")) return;
   const std::string extension = file_extension(light.text("image"));

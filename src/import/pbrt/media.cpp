@@ -79,8 +79,7 @@ struct PlacedGrid {
   desc::Rgb sigma_a{1.F}, sigma_s{1.F};
 };
 
-/// Makes of the grid that pbrt is told of, which is larger than its box, what it is in it
-/// (`write_box` in pbrt_writer.cpp).
+/// Restores a grid from the larger one that is written for pbrt (`write_box` in pbrt_writer.cpp).
 void read_own_bounds(const SourceLocation& where, const ParameterList& p, PlacedGrid& placed) {
   const std::optional<std::string> points = p.get_string(own_word("points"));
   const std::string border = p.get_string(own_word("border"), "zero");

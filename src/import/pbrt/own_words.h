@@ -4,9 +4,9 @@
 
 #include "scene/desc/node.h"
 
-/// Ajar's own words in files of pbrt-v3. What pbrt has no word for goes by the name that it has
-/// here. Where pbrt has a word that says less, its word has what comes nearest, for pbrt, and ours,
-/// with a prefix, what is meant: it counts.
+/// Ajar's own words in files of pbrt-v3. Models and parameters unknown to pbrt have their names
+/// here. Where pbrt has only an approximate equivalent, its word has the nearest value, for pbrt,
+/// and ours, with a prefix, the exact one, which counts.
 namespace ajar::pbrt {
 
 inline constexpr std::string_view kOwnPrefix = "ajar:";

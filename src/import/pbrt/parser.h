@@ -24,7 +24,7 @@ class Parser {
         dialect_(builder.context().choice.dialect) {}
 
   /// Parses one file and everything it includes; stops at WorldEnd. Returns where the file ends.
-  /// `path` tells files apart to find circles.
+  /// `path` identifies files to find cycles.
   SourceLocation parse(std::string_view text, const std::string& name, const std::string& path) {
     return parse(text, name, path, nullptr);
   }

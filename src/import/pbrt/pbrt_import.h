@@ -9,11 +9,11 @@
 
 namespace ajar {
 
-/// Reads a scene of pbrt-v3 or pbrt-v4 (`pbrt/dialect.h` says how they are told apart) and the
-/// files it refers to, except images. Parameters have the defaults and the meaning of that version;
-/// what we cannot do is a warning with its location. Raises SceneError (with file:line:column) if
-/// the scene cannot be used, IoError if `path` itself cannot be read. Files, `path` too, are asked
-/// of `provider` first. Sources: https://www.pbrt.org/fileformat-v3, /fileformat-v4
+/// Reads a scene of pbrt-v3 or pbrt-v4 (recognised by `pbrt/dialect.h`) and the files it refers to,
+/// except images. Parameters have the defaults and the meaning of that version; unsupported ones
+/// are a warning with its location. Raises SceneError (with file:line:column) if the scene cannot
+/// be used, IoError if `path` itself cannot be read. Files, `path` too, are asked of `provider`
+/// first. Sources: https://www.pbrt.org/fileformat-v3, /fileformat-v4
 desc::SceneDesc import_pbrt(const std::string& path, Warnings& warnings,
                             const FileProvider& provider = {});
 

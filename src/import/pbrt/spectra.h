@@ -58,7 +58,7 @@ class SpectrumReader {
   std::optional<desc::Rgb> from_file(const Parameter& parameter, ColorRole role);
   /// Empty for names that pbrt-v4 does not have.
   std::optional<desc::Rgb> from_name(const Parameter& parameter, ColorRole role);
-  /// Tells of a colour of a wider space, which `color` is in ours; false if it fits.
+  /// Warns of a colour of a wider space, which `color` is in ours; false if it fits.
   bool warn_of_gamut(const Parameter& parameter, const desc::Rgb& color);
   desc::Rgb from_samples(const Samples& samples, ColorRole role) const;
 

@@ -97,7 +97,8 @@ float diffuse_reflectance(float reduced_albedo) {
   return 0.5F * reduced_albedo * (1.F + std::exp(-4.F / 3.F * root)) * std::exp(-root);
 }
 
-/// Albedo of a subsurface medium.
+/// Albedo of a subsurface medium. pbrt-v3 takes coefficients that are not given from a preset;
+/// pbrt-v4 has one of three: a preset, coefficients, a reflectance.
 desc::Value color_below(const Original& from) {
   const std::optional<ScatteringPreset> preset =
       preset_named(from.p.context(), from.where, from.p.text("name"));

@@ -37,8 +37,7 @@ struct WriterContext {
 };
 
 /// The parameters of a node by the names that pbrt has for them; without `names`, by ours.
-/// `numbers_for_colors`: as a texture of numbers has them.
-/// `substitutes`: what pbrt is told instead.
+/// `numbers_for_colors`: as a texture of numbers has them. `substitutes`: values for pbrt instead.
 void write_parameters(WriterContext& context, const desc::Node& node, const ModelName* names,
                       bool numbers_for_colors = false, const Substitutes& substitutes = {});
 /// All parameters of a node by words of ours alone, for a model that pbrt does not have.

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A written file, what Ajar reads of it, and what the writer tells.
+/// A written file, the scene that Ajar reads from it, and the writer's message.
 struct Written {
   std::string text;
   desc::SceneDesc back;

@@ -12,7 +12,7 @@
 namespace ajar::pbrt {
 
 /// The images of a scene for pbrt-v3: it opens EXR, PNG, TGA and PFM files, takes the colours of
-/// all of them, and decodes none in lights. What it would not see as it is meant is written again,
+/// all of them, and decodes none in lights. Images that it would read differently are converted,
 /// into the folder "<stem>_images" beside the scene: PNG where 8 bits hold it, else EXR. All
 /// functions raise IoError for files that cannot be written (`WriterFiles`).
 class ImageWriter {

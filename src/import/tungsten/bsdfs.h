@@ -21,8 +21,8 @@ class BsdfTable {
  public:
   BsdfTable(Context& context, TextureReader& textures) : context_(context), textures_(textures) {}
 
-  /// Reads the list "bsdfs", which must outlive the table. Of two of the same name the first
-  /// counts, with a warning.
+  /// Reads the list "bsdfs", which must outlive the table. The first of a name counts, with a
+  /// warning for others.
   void define(const LocatedJson& list);
 
   /// The bsdf that `json` is or names. Unknown names and types are warnings: grey stands in.

@@ -88,7 +88,7 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
     return desc::kNone;
   }
   if (*type == "voxel") {
-    // Without its grid nobody knows how far it reaches; a camera may be in it.
+    // Without its grid its extent is unknown; a camera may be in it.
     context_.warnings.add(kNoGrid, json.where(),
                           "a medium of voxels needs " + grid_of(object) + ": it counts as empty",
                           shown(name));

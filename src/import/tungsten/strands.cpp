@@ -83,7 +83,7 @@ FiberAttribute read_attribute(StrandCursor& cursor, std::uint64_t size) {
   return attribute;
 }
 
-/// The last value stands for those that are missing.
+/// Missing values repeat the last one.
 template <typename Value>
 void extend(std::vector<Value>& values, std::size_t count) {
   if (!values.empty()) values.resize(count, values.back());

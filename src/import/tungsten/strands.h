@@ -19,10 +19,10 @@ struct Strands {
 /// Reads a file of the ending `.fiber` or `.hair`. Raises SceneError, with `name` as its file, for
 /// other endings, for what is damaged, and for numbers that are not finite.
 ///
-/// `.fiber` is Tungsten's own, little endian: eight bytes that tell it, a version, then attributes,
+/// `.fiber` is Tungsten's own, little endian: eight bytes of signature, a version, then attributes,
 /// each with its name, type and length. Read are `num_vertices` (curves, 16 bits), `position` and
-/// `width` (nodes, floats); the first and the last go on with their last value. `.hair` is Cem
-/// Yuksel's ("HAIR Model Files"). Tungsten takes widths of both as radii.
+/// `width` (nodes, floats); the latter two repeat their last value. `.hair` is Cem Yuksel's ("HAIR
+/// Model Files"). Tungsten takes widths of both as radii.
 Strands read_strands(std::string_view bytes, const std::string& name);
 
 /// Options of a primitive for its curves.

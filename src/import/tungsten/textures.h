@@ -26,8 +26,8 @@ class TextureReader {
 
   /// A colour (Vec3) or a texture (TextureRef).
   desc::Value color(const LocatedJson& json);
-  /// A number (float) or a texture (TextureRef). Of an image, the mean of the colours as they are
-  /// stored: Tungsten decodes only what it reads as a colour.
+  /// A number (float) or a texture (TextureRef). An image's number is the mean of the colours as
+  /// they are stored: Tungsten decodes only what it reads as a colour.
   desc::Value number(const LocatedJson& json) { return number(json, NumberRole::Number); }
   /// Opacity: the alpha channel of an image that has one; PNG and JPEG files always do.
   desc::Value opacity(const LocatedJson& json) { return number(json, NumberRole::Opacity); }
@@ -57,7 +57,7 @@ class TextureReader {
   Context& context_;
 };
 
-/// A colour that is the same everywhere, or what stands for the mean of a texture.
+/// A constant colour, or `mean` in place of a texture.
 Vec3 constant_or(const desc::Value& color, const Vec3& mean);
 
 /// Warns of members that a texture of a known type does not have, without making one.
