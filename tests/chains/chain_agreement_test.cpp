@@ -217,8 +217,8 @@ const std::vector<Variant>& variants() {
   return kVariants;
 }
 
-/// As many as bring the mean's error to a half or so of what is asked for. Light that is divided as
-/// it pays needs fewer, and chains of one path at a time most.
+/// Samples for an error of the mean of about half of the tolerance. Divided light needs fewer, and
+/// chains of one path at a time most.
 int samples_of(const Variant& variant) {
   const bool one_path = variant.integrator.starts_with("mmlt");
   if (variant.integrator == "mmlt" || variant.parameters.contains("direct")) {

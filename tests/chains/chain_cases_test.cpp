@@ -333,7 +333,7 @@ TEST(ChainLayers, DensityCountsVisitsAndAcceptanceIsAProbability) {
         EXPECT_GE(value, 0.F);
         sum += value;
       }
-      // Each of a pass's mutations brings one visit; rounding makes them a few more than wanted.
+      // Each of a pass's mutations is one visit; rounding makes them a few more than wanted.
       const double mean = sum / static_cast<double>(density.size());
       EXPECT_NEAR(mean, 1.0, 0.02) << integrator << ", " << importance;
       const std::vector<float> acceptance = render.layer("acceptance");
@@ -519,8 +519,8 @@ TEST(ChainReports, HaveTheStatisticsOfChains) {
 }
 
 TEST(ChainReports, EffortIsSharedByErrorsUnlessItIsFixed) {
-  // Hardly any light is above the division, so mutations beyond the first guess would be wasted.
-  // There is enough of it for each replicate to have chains from the beginning.
+  // Hardly any light is above the division, so mutations beyond the initial estimate would be
+  // wasted. There is enough of it for each replicate to have chains from the beginning.
   const auto scene = scene_from(pbrt_scene(kCamera, 72, 48, kPoints + kFloor));
   const auto mutations = [&](const char* omc_samples) {
     test::RenderOptions options = options_of("mmlt+");

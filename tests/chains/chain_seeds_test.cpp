@@ -8,9 +8,8 @@
 #include "support/render.h"
 #include "support/stripes.h"
 
-/// Where seeds of chains stand for unequal amounts of light, more of them start where there is
-/// more. All must walk equally far: light would otherwise leave bright places faster than it comes
-/// back from dark ones.
+/// Seeds of unequal weight start several chains each, in proportion. All must walk equally far:
+/// light would otherwise leave bright places faster than it comes back from dark ones.
 namespace ajar {
 namespace {
 
@@ -77,8 +76,8 @@ TEST(SeedsOfUnequalWeight, WalkEquallyFarFromABootstrap) {
   expect_none(excess_of_dark_stripes(*scene, options, 20), 0.3);
 }
 
-// Light that a camera sample finds by luck starts as many chains as it stands for. When it was one
-// long chain instead, the dark stripes were 0.3 too bright.
+// Light that a camera sample finds by luck starts chains in proportion to its weight. When it was
+// one long chain instead, the dark stripes were 0.3 too bright.
 TEST(SeedsOfUnequalWeight, WalkEquallyFarFromFoundPaths) {
   const auto scene = test::stripes(
       32, 24,

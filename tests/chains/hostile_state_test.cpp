@@ -27,7 +27,7 @@ struct Method {
   std::map<std::string, std::string> parameters;
 };
 
-/// All that any method keeps: chains, recruits, rates, prices, errors that last; and maps.
+/// All states of methods: chains, seeds, rates, prices, lasting errors; and maps.
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const std::string& name :

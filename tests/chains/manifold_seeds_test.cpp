@@ -22,8 +22,8 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// Paths that no connection makes, for chains to start from: joined by manifold connections, they
-/// bring as much light as those that run into the light by chance, in every part of the picture.
+/// Paths that no connection makes, as seeds of chains: joined by manifold connections, they have as
+/// much light as unidirectional hits, in every part of the picture.
 namespace ajar {
 namespace {
 
@@ -176,8 +176,8 @@ TEST_P(ManifoldSeedsOf, AddTheLightMissedByUnidirectionalHits) {
       << "too noisy to notice what it is for";
 }
 
-/// A seed counts for many guesses if its chain is hard to find. But where a ray may run into the
-/// lamp, it counts for no more than such a ray does.
+/// A seed has a large weight if its chain is hard to find. But where a ray may run into the lamp,
+/// its weight is no more than that of such a ray.
 TEST(ManifoldSeeds, AreNoBrighterThanUnidirectionalHits) {
   const auto scene = test::scene_from(over_water(test::lamp_over_floor() + waves()));
   const SpecularPhotons photons(*scene);
@@ -238,7 +238,7 @@ TEST_P(ManifoldSeedsOfPoints, MatchSmallLamps) {
       << "too noisy to notice what it is for";
 }
 
-/// A chain of waves is found as often as it takes guesses to find it again: of each place on the
+/// The weight of a chain of waves is the number of guesses to find it again: of each place on the
 /// floor, all that come in one of fifty guesses.
 TEST(ManifoldConnection, CountsGuessesByTheChanceToFindAChain) {
   const auto scene = test::scene_from(over_water(test::lamp_over_floor() + waves()));
@@ -335,7 +335,7 @@ INSTANTIATE_TEST_SUITE_P(
                       PointCase{"Distant", kDistantLamp, kFarLamp, kPoolFloor + kWater, 20000}),
     [](const auto& lamps) { return std::string(lamps.param.name); });
 
-/// Guesses from far away are much as those from infinity, though fewer photons tell where to.
+/// Guesses from far away are much as those from infinity, though fewer photons guide them.
 TEST(ManifoldConnection, FindsChainsFromAfarAsFromInfinity) {
   const auto finds = [](const std::string& lamp) {
     const auto scene = test::scene_from(over_water(lamp + kPoolFloor + waves()));

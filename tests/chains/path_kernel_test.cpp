@@ -58,7 +58,7 @@ class OnePathMutation final : public PathMutation {
   RayCounts rays_;
 };
 
-/// Says what it is told of the light on new paths.
+/// Records the light on new paths that it receives.
 class ToldWeight final : public PathWeight {
  public:
   double part(const Path& /*path*/, double /*log_light*/) override {

@@ -139,7 +139,7 @@ TEST_P(KeepsTheDistribution, OfLightRegionByRegion) {
   const auto scene = test::scene_from(test::path_scene(GetParam()));
   const std::string_view scene_name = GetParam();
   std::uint32_t samples = 4000;
-  // Few samples of these bring any light that moves.
+  // Few samples of these have any light that moves.
   for (const char* name :
        {"Lenses", "BurningGlass", "BurningGlassInTheSun", "BurningGlassOrthographic",
         "BurningGlassByALens", "BurningGlassInFog", "BurningGlassUnderASky", "Gloss",

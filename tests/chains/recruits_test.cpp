@@ -165,7 +165,7 @@ TEST(Recruits, ShareUnconnectablePathsWithManifoldConnections) {
   EXPECT_LT(5.0 * error, std::min(hits.mean(), joined)) << "too noisy to notice";
 }
 
-/// Few chains leave what there is to explore to luck, whatever the first guess of their effort.
+/// Few chains would explore by luck, whatever the initial estimate of their effort.
 TEST(Recruits, AreForManyChainsUnlessForFirefliesOnly) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
   RenderSettings settings = test::settings_of(*scene, {.replicates = 4, .max_depth = 6});

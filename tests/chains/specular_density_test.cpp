@@ -27,8 +27,8 @@ struct Corner {
 };
 
 /// Densities leave out the delta of a specular vertex, and have |cos θ| / d² of both its edges.
-/// What these are over the density by the area of the vertex beyond, across the ray: of a plane
-/// mirror in z, whose images are as far as the way is long.
+/// Their ratio to the density by the area of the vertex beyond, across the ray: of a plane mirror
+/// in z, whose images are as far as the way is long.
 double in_a_mirror(const Corner& c) {
   const double way = c.length_before() + c.length_after();
   const double cosine = std::abs((c.before - c.at).z) / c.length_before();

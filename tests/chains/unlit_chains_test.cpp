@@ -87,9 +87,8 @@ std::unique_ptr<Scene> rarely_lit_through_panes() {
           quad("-9 -9 -2.5  9 -9 -2.5  9 1.9 -2.5  -9 1.9 -2.5")));
 }
 
-/// Where a pilot finds nothing, plain samples stand in for chains without seeds: for those of
-/// numbers, whose b makes room for them, and not for those of explicit paths, of which the
-/// bootstrap alone tells b.
+/// Plain samples replace chains without seeds after a black pilot: those of numbers, whose b
+/// includes them, and not those of explicit paths, whose b is from the bootstrap alone.
 TEST(UnlitChains, OfNumbersAloneTakePlainSamplesAfterABlackPilot) {
   const auto scene = rarely_lit_through_panes();
   test::RenderOptions options;

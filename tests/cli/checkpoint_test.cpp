@@ -50,7 +50,7 @@ TEST_F(CheckpointCli, ResumedRenderHasTheBitsOfOneLeftAlone) {
   EXPECT_TRUE(bytes("b.pfm") == bytes("alone.pfm"));
 }
 
-// A checkpoint must tell what the user has set from what follows from it.
+// A checkpoint must distinguish the user's settings from derived ones.
 TEST_F(CheckpointCli, ResumedRenderHasTheSettingsOfTheOneBefore) {
   const std::vector<std::vector<std::string>> settings = {
       {"selective", "preset=published"},
@@ -396,7 +396,7 @@ TEST_F(CheckpointCli, PreviewShowsThePictureInAViewer) {
   ASSERT_EQ(render({"--spp", "16", "-o", "b.pfm"}).exit_code, 0);
   EXPECT_EQ(bytes("a.pfm"), bytes("b.pfm"));
   EXPECT_EQ(viewer.fault(), "");
-  // The connection may be younger than the render, which then has nobody to show its picture to.
+  // The connection may be younger than the render, which then has no viewer for its picture.
   const pid_t child = start_endless({"--preview", where, "--aov", "albedo"});
   EXPECT_TRUE(wait_until([&] { return viewer.picture("ajar: cornell").updates > 0; }));
   kill(child, SIGINT);

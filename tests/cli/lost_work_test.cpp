@@ -99,7 +99,7 @@ TEST_F(LostWorkCli, OneCheckpointIsOfOneRender) {
   EXPECT_TRUE(contains(second.err, "another render keeps its checkpoint there")) << second.err;
   kill(first, SIGINT);
   EXPECT_EQ(finish(first).exit_code, 130);
-  // After a hard end nobody is held up.
+  // After a hard end the lock is free.
   const pid_t third = start({"resume", "c", "--time", "1h", "--progress", "json"});
   ASSERT_TRUE(wait_for(folder_ / ".stderr", "\"progress\",\"phase\":\"render\""));
   EXPECT_EQ(run({"resume", "c"}).exit_code, 4);

@@ -5,7 +5,7 @@
 namespace ajar {
 namespace {
 
-/// The program beside what somebody else has put into the folder it writes to.
+/// The program beside files of others in the folder it writes to.
 class OutputFiles : public Cli {
  protected:
   void SetUp() override {

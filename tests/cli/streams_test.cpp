@@ -1,4 +1,4 @@
-// Renders whose messages nobody can read any more.
+// Renders with unreadable streams.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <pty.h>

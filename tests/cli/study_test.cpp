@@ -181,7 +181,7 @@ TEST_F(StudyCli, AKilledStudyLosesOnlyTheCurrentRender) {
 }
 
 TEST_F(StudyCli, AFailingRenderDoesNotStopTheOthers) {
-  // Only the render itself can tell that the map of importance is absent.
+  // Only the render itself can find that the map of importance is absent.
   file("study.json", R"({"scenes": ["builtin:cornell"], "resolution": "16x12", "seeds": 2,
       "integrators": ["pt", {"integrator": "mmlt+", "name": "mapped",
                              "parameters": {"importance": "absent.pfm", "bootstrap": 1000}}],

@@ -10,7 +10,7 @@
 #include "support/small_scenes.h"
 
 /// Every integrator, and sets of techniques that none has, against path tracing, block by block.
-/// Whoever adds an integrator to the registry has it tested here.
+/// New integrators of the registry are included.
 namespace ajar {
 namespace {
 
@@ -83,7 +83,7 @@ TEST_P(Agreement, EveryIntegratorHasTheExpectationOfPathTracing) {
       options.integrator = info.name;
       options.samples = are_chains_alone(info.name) ? kSamples : small.samples;
       const test::Render other = test::render(*scene, options);
-      // Chains bring their error with them: replicates differ by more.
+      // Errors of chains are correlated: replicates differ by more.
       const double power = other.counters.mutations > 0 ? 0.25 : 0.06;
       expect_same(replicates_of(other), truth, *other.film, power, info.name);
     }

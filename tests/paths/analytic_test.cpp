@@ -245,7 +245,7 @@ class FromTheLight : public ::testing::TestWithParam<std::string> {
     }
     return result;
   }
-  /// Chains bring their error with them: the mean is known less well.
+  /// Errors of chains are correlated: the mean is less certain.
   void expect_mean_of(int count, const Scene& scene, double expected) const {
     const test::Render picture = render(scene, options(count));
     expect_mean(picture, expected, picture.counters.mutations > 0 ? 0.12 : 0.02);

@@ -194,7 +194,7 @@ TEST_P(Paths, AreRecordedHalfByHalf) {
   EXPECT_GT(found, 300);
 }
 
-/// Light that goes into glass and stays there: what it is worth depends on the end from which the
+/// Light that goes into glass and stays there: its contribution depends on the end from which the
 /// boundary is passed. (Through a whole ball these factors cancel.)
 TEST(PathMeasure, BoundariesAreCountedFromTheEndThatPassesThem) {
   const auto scene =

@@ -19,7 +19,7 @@
 namespace ajar::test {
 namespace {
 
-/// All that `tell` says, in the usual locale and with commas.
+/// Text written by `tell`, in the usual locale and with commas.
 template <typename Tell>
 void expect_same_with_commas(const Tell& tell) {
   const auto usual = tell();

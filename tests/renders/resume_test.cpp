@@ -30,7 +30,7 @@ struct Method {
   std::string integrator;
   std::map<std::string, std::string> parameters;
   std::vector<std::string> aovs = {"albedo", "object-id"};
-  /// b is refined, recruits join and maps end epochs at 4, 8, …
+  /// b is refined, seeds join and maps end epochs at 4, 8, …
   std::uint64_t samples = 16;
 };
 
@@ -45,8 +45,8 @@ std::vector<Method> methods() {
   methods.push_back({"selective", {{"chain", "mlt"}, {"split", "0.1"}}, {"density"}});
   methods.push_back({"selective", {{"chain", "mlt"}, {"omc", "pt"}}});
   methods.push_back({"selective", {{"chain", "erpt"}, {"split", "0.1"}}});
-  // Without layers that want as many camera samples everywhere; and until more than three stretches
-  // tell how much of the chains' error lasts.
+  // Without layers that need uniform camera samples; and until more than three epochs show how much
+  // of the chains' error lasts.
   methods.push_back({"selective", {}, {"density"}});
   methods.push_back({"selective", {{"split", "0.1"}}, {"density"}, 32});
   return methods;
@@ -116,7 +116,7 @@ constexpr std::array<const char*, 3> kScenes = {"Environment", "CroppedMitchell"
 class Resume : public ::testing::TestWithParam<const char*> {
  protected:
   Resume() : scene_(test::scene_from(test::small_scene(GetParam()).text)) {}
-  /// Methods that have this scene; `turn` tells tests apart.
+  /// Methods that have this scene; `turn` distinguishes tests.
   std::vector<Case> cases(std::size_t turn) const {
     const auto number = static_cast<std::size_t>(
         std::find(kScenes.begin(), kScenes.end(), std::string(GetParam())) - kScenes.begin());
@@ -220,7 +220,7 @@ Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices
 Material "glass" "float index" [1.33]
 Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer indices" [0 2 1 0 3 2]
 )"));
-  // Enough samples for stretches of several passes.
+  // Enough samples for epochs of several passes.
   const Method method{"selective", {}, {}, 64};
   const Case one(*scene, method);
   expect_the_same_at_every_pass(one);

@@ -137,7 +137,7 @@ std::vector<Case> cases() {
       if (test::has_chains(method)) excused.emplace(method, "chains");
     }
     for (const std::string& method : test::methods_but(excused)) {
-      // A sample of bdpt is worth, and costs, more.
+      // A sample of bdpt has less variance, and costs more.
       const int samples = method == "bdpt" ? tried.samples / 2 : tried.samples;
       cases.push_back({tried.scene, method, samples, tried.power});
     }

@@ -123,7 +123,7 @@ TEST_P(PathShareOf, IsTheSumOverAllTechniques) {
         const double slow = slow_share(*scene, settings, path, division);
         ASSERT_NEAR(share.part(path, log_light), slow, 1e-4 * slow + 1e-12);
         ASSERT_NEAR(whole.part(path, log_light), 1.0, 1e-9);
-        // A path is of one class or the other, whoever looks.
+        // The class of a path is independent of the chain that asks.
         ASSERT_NEAR(hit.part(path, log_light), hit_only ? 1.0 : 0.0, 1e-9);
         ASSERT_NEAR(connectible.part(path, log_light), hit_only ? 0.0 : 1.0, 1e-9);
         ASSERT_TRUE(!hit_only || technique.s == 0);

@@ -13,7 +13,7 @@
 #include "support/render.h"
 #include "support/same_picture.h"
 
-/// Roulette that saves rays where they bring little: no expectation changes, and it pays.
+/// Roulette of rays with small contributions: no expectation changes, and efficiency improves.
 namespace ajar {
 namespace {
 

@@ -34,7 +34,7 @@ std::vector<double> random_errors(const Film& film, std::uint64_t seed) {
   return errors;
 }
 
-/// Finds strong paths, some of them by lot, and puts them back on the film.
+/// Finds strong paths, some of them by roulette, and puts them back on the film.
 class HandedBack final : public StrongPathSinks {
  public:
   std::unique_ptr<StrongPathSink> make(Film& /*film*/, Counters& /*counters*/) const override {
@@ -49,7 +49,7 @@ class HandedBack final : public StrongPathSinks {
   };
 };
 
-/// Ordinary Monte Carlo with rates that are random, and change once, and random guesses.
+/// Ordinary Monte Carlo with rates that are random, and change once, and random control variates.
 test::Render render_with_random_rates(const Scene& scene, const test::RenderOptions& options,
                                       const std::string& techniques, SampleRates& rates,
                                       const Divisions* divisions, const StrongPathSinks* strong) {

@@ -374,7 +374,7 @@ TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
   options.samples = 4;
   options.integrator = "selective";
   const auto z_of = [&](const std::string& pilot) {
-    // Few techniques, so that it is mostly fireflies that tell the map anything.
+    // Few techniques, so that the map depends mostly on fireflies.
     options.parameters = {
         {"omc", "pt"},           {"techniques", "bdpt"}, {"map", "binary"},        {"pilot", pilot},
         {"pilot-samples", "16"}, {"bootstrap", "20000"}, {"importance", "uniform"}};
@@ -514,7 +514,7 @@ TEST(Selective, LeavesEvenlyDividedPixelsToMonteCarlo) {
   EXPECT_EQ(render.counters.mutations, 0U);
 }
 
-/// A map without chains takes none, and tells what it is.
+/// A map without chains takes none, and reports its kind.
 TEST(Selective, ObeysTheUserWithoutChains) {
   const auto scene = small_scene("GlassAndMetal");
   const TemporaryFile map("map.pfm");

@@ -5,9 +5,8 @@
 
 namespace ajar::test {
 
-/// Names of all methods that a user can name, presets included, but those that are `excused`, each
-/// with the reason. Whoever adds a method has it tested. Raises std::logic_error for the excuse of
-/// a method that is no more.
+/// Names of all methods for users, presets included, but those that are `excused`, each with the
+/// reason. New methods are included. Raises std::logic_error for the excuse of an unknown method.
 std::vector<std::string> methods_but(const std::map<std::string, std::string>& excused);
 bool has_chains(const std::string& method);
 /// Excuses for all methods without chains.

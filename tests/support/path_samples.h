@@ -20,7 +20,7 @@ inline PathBounds path_sample_bounds(const Scene& scene) {
 
 struct WeightedPath {
   Path path;
-  double weight;  ///< luminance of what it brings
+  double weight;  ///< luminance of its contribution
 };
 
 /// All paths of a sample of bidirectional path tracing.

@@ -46,8 +46,8 @@ Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer
 )");
 }
 
-/// A lens between a lamp and the floor, another one before the camera. What is
-/// seen through it has its light through the other.
+/// A lens between a lamp and the floor, another one before the camera. Each shows light through the
+/// other.
 std::string lenses() {
   return pbrt_scene(
       "LookAt 0 1.2 -3  0 0.1 0.2  0 1 0\nCamera "

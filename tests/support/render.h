@@ -53,7 +53,7 @@ struct RenderOptions {
 RenderSettings settings_of(const Scene& scene, const RenderOptions& options);
 Render render(const Scene& scene, const RenderOptions& options);
 /// With an integrator of `settings_of(scene, options)` that is prepared. At each milestone but the
-/// end, `after_pass` is told the film and the samples that are on it.
+/// end, `after_pass` receives the film and the samples that are on it.
 using AfterPass = std::function<void(const Film& film, std::uint64_t samples)>;
 Render render_with(std::unique_ptr<Integrator> integrator, const Scene& scene,
                    const RenderOptions& options, const AfterPass& after_pass = {});
