@@ -25,7 +25,7 @@ namespace {
 constexpr int kDefaultDepth = 16;
 /// Seeds of references, far from those of the renders that are compared with them.
 constexpr std::uint64_t kFirstReferenceSeed = 1'000'000;
-/// Differences of CPU time that are not worth another part of a reference, as a share.
+/// Differences of CPU time too small for another part of a reference, as a share.
 constexpr double kSecondsTolerance = 0.05;
 
 bool interrupted() { return interrupt_count() > 0; }

@@ -10,7 +10,7 @@
 /// Common parts of the main programs of studies.
 namespace ajar::bench {
 
-/// `run`, with signals counted and errors told as those of `name`. Returns what it does, or the
+/// `run`, with signals counted and errors reported as those of `name`. Returns its result, or the
 /// error's exit code.
 int bench_main(const std::string& name, const std::function<int()>& run);
 

@@ -65,8 +65,8 @@ ReferencePair reference_pair(std::span<const std::array<std::vector<float>, 2>> 
 /// Mean of independent renders by one method, weighted by samples. There must be at least one.
 Reference average(std::span<const ReferencePart> parts);
 
-/// Weighs `reference` with an independent picture of unknown noise. That noise is what the two
-/// differ by beyond the reference's own; weights are inverse to the trimmed floors.
+/// Averages `reference` with an independent picture of unknown noise. The noise is estimated from
+/// their difference beyond the reference's own; weights are inverse to the trimmed floors.
 Reference average_with(const Reference& reference, std::span<const float> independent);
 
 }  // namespace ajar::bench
