@@ -100,21 +100,21 @@ class PathSampler {
   void sample_light(SampleSource& source, PathSink& sink);
 
   // One technique at a time, half by half, for chains that move one half and keep the other. All
-  // paths must have the same depth (`min_depth` = `max_depth`). `told` observes the vertices,
+  // paths must have the same depth (`min_depth` = `max_depth`). `observer` observes the vertices,
   // unless it is null: chains need none of them.
 
   /// The last of the `vertices` − 1 ≥ 1 vertices that a light subpath has in the scene; false if it
   /// does not get there, or cannot be connected.
-  bool trace_light_half(SampleSource& source, int vertices, PathVertex& end, PathSink* told);
+  bool trace_light_half(SampleSource& source, int vertices, PathVertex& end, PathSink* observer);
   /// Traces a camera subpath.
   bool trace_camera_half(SampleSource& source, const Vec2& raster, int vertices, PathVertex& end,
-                         PathSink* told);
+                         PathSink* observer);
   /// Technique (s ≥ 1, t ≥ 1): a half of a single vertex is the endpoint alone, its `end` unused.
   void connect_halves(Technique technique, const PathVertex& light_end,
                       const PathVertex& camera_end, SampleSource& source, PathSink& sink);
   /// Technique (0, t).
   void sample_implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink,
-                       PathSink* told);
+                       PathSink* observer);
 
   /// Camera subpaths follow these directions, or are noted there; null: neither.
   void keep_directions(KeptDirections* directions) { camera_walk_.directions = directions; }
@@ -144,13 +144,14 @@ class PathSampler {
   /// A camera path that runs into the lights at infinity.
   void leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const;
   // Halves, in path_halves.cpp. Templated, so that the null observer compiles away.
-  template <typename Told>
-  bool light_half(SampleSource& source, int vertices, PathVertex& end, Told& told);
-  template <typename Told>
+  template <typename Observer>
+  bool light_half(SampleSource& source, int vertices, PathVertex& end, Observer& observer);
+  template <typename Observer>
   bool camera_half(SampleSource& source, const Vec2& raster, int vertices, PathVertex& end,
-                   Told& told);
-  template <typename Told>
-  void implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink, Told& told);
+                   Observer& observer);
+  template <typename Observer>
+  void implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink,
+                Observer& observer);
   void trace_light(SampleSource& source, PathSink& sink, int repeat);
   void trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink);
   SegmentEnd trace(const WalkSettings& walk, const Flight& flight, SampleSource& source);
