@@ -28,11 +28,11 @@ struct ImageHeuristics {
   /// times it; with 2 they are 53 %, with 4 69 %, and 6 % above.
   static constexpr int kAroundFirefly = 3;
 
-  // -------------------------------------------------------- guess of the truth
+  // -------------------------------------------------------- smoothed reference
   /// Rounds of averages, by how far apart neighbours are.
   /// Unit: pixels. Range: powers of two from 1 on. Source: the à-trous scheme (Dammertz et al.
   /// 2010); 51b6652, fewer or more not measured.
-  static constexpr std::array<int, 5> kGuessStrides = {1, 2, 4, 8, 16};
+  static constexpr std::array<int, 5> kSmoothingStrides = {1, 2, 4, 8, 16};
   /// Relative standard error of a pixel that is good enough as it is.
   /// Unit: share. Range: > 0. Source: 51b6652; set by hand, no study.
   static constexpr float kQuiet = 0.05F;

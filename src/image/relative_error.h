@@ -24,7 +24,7 @@ namespace ajar {
 std::optional<double> relative_error(std::span<const float> picture, std::span<const float> truth);
 
 /// Estimate without a reference: (x − t)² is estimated by the squared standard error of replicates,
-/// and t by `guess_truth`.
+/// and t by `smoothed_reference`.
 struct RelativeError {
   /// A lower bound if `has_fireflies`: relative to a reference that is nowhere darker than the
   /// picture around.

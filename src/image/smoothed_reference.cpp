@@ -21,16 +21,16 @@ constexpr double kMost = 1e17;
 float square(float value) { return value * value; }
 float gray(const float* rgb) { return (rgb[0] + rgb[1] + rgb[2]) / 3.F; }
 
-/// Mean of some numbers and its standard error.
+/// Mean of some numbers and its variance.
 struct Spread {
   float mean;
   float variance;
 };
 
-class TruthGuess {
+class ReplicateSmoother {
  public:
   /// `level`: in whose units it calculates.
-  TruthGuess(const Replicates& replicates, Vec2i size, double level)
+  ReplicateSmoother(const Replicates& replicates, Vec2i size, double level)
       : width_(size.x),
         height_(size.y),
         count_(replicates.size()),
@@ -218,17 +218,17 @@ class TruthGuess {
 
 /// Ratio of a picture's brightness to a smoothed one's: each pixel relative to the latter, so that
 /// lamps do not decide.
-double gain_over(std::span<const float> guess, std::span<const float> picture) {
-  const double level = median_lit(guess);
+double gain_over(std::span<const float> smoothed, std::span<const float> picture) {
+  const double level = median_lit(smoothed);
   if (level == 0.0) return 1.0;
-  double of_guess = 0.0;
+  double of_smoothed = 0.0;
   double of_picture = 0.0;
-  for (std::size_t i = 0; i < guess.size(); ++i) {
-    const double weight = 1.0 / (std::abs(double{guess[i]}) + level);
-    of_guess += weight * double{guess[i]};
+  for (std::size_t i = 0; i < smoothed.size(); ++i) {
+    const double weight = 1.0 / (std::abs(double{smoothed[i]}) + level);
+    of_smoothed += weight * double{smoothed[i]};
     of_picture += weight * double{picture[i]};
   }
-  return of_guess > 0.0 && of_picture > 0.0 ? of_picture / of_guess : 1.0;
+  return of_smoothed > 0.0 && of_picture > 0.0 ? of_picture / of_smoothed : 1.0;
 }
 
 /// Edges of lamps are in one replicate of a few samples, and in no median: no pixel is darker than
@@ -263,20 +263,21 @@ class BrightEdges {
 
 }  // namespace
 
-std::vector<float> guess_truth(Replicates replicates, Vec2i size) {
+std::vector<float> smoothed_reference(Replicates replicates, Vec2i size) {
   const auto values =
       kChannels * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   const auto fits = [&](const std::vector<float>& image) { return image.size() == values; };
   if (replicates.size() < 2 || !std::all_of(replicates.begin(), replicates.end(), fits)) {
-    throw std::invalid_argument("guess_truth: needs two replicates or more of the picture's size");
+    throw std::invalid_argument(
+        "smoothed_reference: needs two replicates or more of the picture's size");
   }
   const double level = median_lit(replicates.front());
-  TruthGuess guess(replicates, size, level > 0.0 ? level : 1.0);
+  ReplicateSmoother smoother(replicates, size, level > 0.0 ? level : 1.0);
   const std::vector<float> mean = replicate_mean(replicates);
   replicates = {};
-  const std::vector<bool> quiet = guess.quiet();
-  for (const int stride : ImageHeuristics::kGuessStrides) guess.average(stride);
-  std::vector<float> medians = guess.medians();
+  const std::vector<bool> quiet = smoother.quiet();
+  for (const int stride : ImageHeuristics::kSmoothingStrides) smoother.average(stride);
+  std::vector<float> medians = smoother.medians();
   const double gain = gain_over(medians, mean);
   const BrightEdges edges(quiet, mean, size);
   parallel_for(size.y, [&](int y) {

@@ -20,6 +20,6 @@ namespace ajar {
 /// bright as the picture, each pixel relative to its own value.
 ///
 /// Needs R ≥ 2 replicates of that size, else std::invalid_argument.
-std::vector<float> guess_truth(Replicates replicates, Vec2i size);
+std::vector<float> smoothed_reference(Replicates replicates, Vec2i size);
 
 }  // namespace ajar
