@@ -65,7 +65,7 @@ class PictureFilter {
 
 /// Error of "denoised", as far as it is known.
 inline constexpr const char* kDenoisedError = "denoised-error";
-/// That error as one number, defined as for the unfiltered picture (`RelativeError`): relative,
+/// `kDenoisedError` as one number, defined as for the unfiltered picture (`RelativeError`): relative,
 /// root of the mean square. Empty without that layer.
 std::optional<double> denoised_error(const Picture& picture);
 
