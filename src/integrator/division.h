@@ -11,9 +11,9 @@
 
 namespace ajar {
 
-/// The film's layer of what ordinary Monte Carlo leaves in the picture of divided light.
+/// The film's layer of ordinary Monte Carlo's part of divided light.
 inline const std::string kWeakLayer = "indirect-weak";
-/// The film's layer of what it finds of the chains' part: another estimate of their layer.
+/// The film's layer of its samples of the chains' part: another estimate of their layer.
 inline const std::string kStrongLayer = "indirect-strong";
 
 /// Division of the long paths of a pixel.

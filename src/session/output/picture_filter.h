@@ -65,8 +65,8 @@ class PictureFilter {
 
 /// Error of "denoised", as far as it is known.
 inline constexpr const char* kDenoisedError = "denoised-error";
-/// `kDenoisedError` as one number, defined as for the unfiltered picture (`RelativeError`): relative,
-/// root of the mean square. Empty without that layer.
+/// `kDenoisedError` as one number, defined as for the unfiltered picture (`RelativeError`):
+/// relative, root of the mean square. Empty without that layer.
 std::optional<double> denoised_error(const Picture& picture);
 
 /// The layers of features that the file of a picture has.
