@@ -6,9 +6,9 @@
 #include "ajar/namespace.h"
 
 namespace ajar::AJAR_INTERFACE {
-/// A scene that was read, to be rendered as often as wanted. Copies share it; it never changes.
-/// While there is one, it keeps what the last render built of it: the next begins at once, whatever
-/// its method, parameters and seed, if only its resolution and filter are the same.
+/// A scene that was read, to be rendered any number of times. Copies share it; it never changes. It
+/// keeps the acceleration structure of the last render: the next begins at once, whatever its
+/// method, parameters and seed, if only its resolution and filter are the same.
 class Scene {
  public:
   /// A file in any format that `ajar render` takes, or `builtin:NAME`. Raises Error.
