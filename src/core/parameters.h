@@ -38,7 +38,7 @@ struct ParameterSpec {
   std::vector<std::string> choices;  ///< for Choice; for Float, words that may stand for a number
   double minimum = -1e300;
   double maximum = 1e300;
-  bool expert = false;  ///< for those who study the method; lists show it below the others
+  bool expert = false;  ///< for experts; lists show it below the others
   /// For Float and Color in scenes: a texture may replace the value. Values of a texture are
   /// clamped to the range by the model that reads it; other values beyond it are errors.
   bool textured = false;

@@ -2,9 +2,8 @@
 #include <string>
 #include <string_view>
 
-/// Names of scenes, materials, files and whatever else others chose, made fit to be shown. A
-/// terminal takes control characters as orders: to move the cursor over what was said before, to
-/// set titles, even to answer.
+/// Names of scenes, materials, files and other untrusted text, made safe to print. Terminals obey
+/// control characters: they move the cursor over earlier text, set titles, even answer.
 namespace ajar {
 
 /// `text` for a terminal, in lines: UTF-8 as it is, with line feeds and tabs; other control

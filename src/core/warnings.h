@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 
-/// Remarks about input that is unusual but usable, in the order of what they do to the picture:
+/// Warnings of input that is unusual but usable, in the order of their effect on the picture:
 ///
 ///     constexpr WarningKind kUnreadable{Effect::Surface, "textures cannot be read: magenta"};
 ///     warnings.add(kUnreadable, where, "cannot read \"a.png\": magenta stands in", "a.png");
@@ -33,8 +33,8 @@ struct WarningKind {
   Effect effect;
   /// Text for several, after their number: "textures cannot be read: magenta".
   std::string_view several;
-  /// Where one warning is about many (`Warning::amount`): what it is found in, as in "7 triangles
-  /// have no area, in 2 meshes"; else empty.
+  /// Containers of the things that one warning counts (`Warning::amount`), as in "7 triangles have
+  /// no area, in 2 meshes"; else empty.
   std::string_view holders = {};
 };
 
@@ -42,7 +42,7 @@ struct Warning {
   WarningKind kind;
   SourceLocation where;
   std::string message;       ///< text of this one alone, without its place
-  std::string subject = {};  ///< name of what it is about, as an example for its kind; may be empty
+  std::string subject = {};  ///< name of its object, as an example for its kind; may be empty
   std::uint64_t amount = 1;  ///< number of things that it is about
   /// "place: message".
   std::string text() const { return located(where, message); }
