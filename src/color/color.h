@@ -18,8 +18,8 @@ Vec3d sampled_to_xyz(std::span<const double> wavelengths, std::span<const double
 /// Conversion to linear RGB; lanes may be negative for colours outside of the gamut.
 Vec3d sampled_to_rgb(std::span<const double> wavelengths, std::span<const double> values);
 
-/// Linear RGB of what a spectrum makes of daylight (CIE illuminant D65), as a reflectance or an
-/// index of refraction does: the spectrum that is 1 everywhere is white.
+/// Linear RGB of a spectrum under daylight (CIE illuminant D65), for a reflectance or an index of
+/// refraction: the spectrum that is 1 everywhere is white.
 Vec3d sampled_to_rgb_in_daylight(std::span<const double> wavelengths,
                                  std::span<const double> values);
 
