@@ -13,12 +13,12 @@ struct ImageHeuristics {
   /// double not measured.
   static constexpr std::size_t kPlace = 4;
   /// With fewer places the relative standard deviation of the value is more than 10 % (of a sum of
-  /// n equal squares: sqrt(1/n), half of that of its root), and what is rare is rarer than that.
+  /// n equal squares: sqrt(1/n), half of that of its root), and rare paths are still missing.
   /// Unit: places. Range: >= 1. Source: docs/notebook/equal-time-errors.md, "When the estimate is a
   /// bound": values within 10 % of the truth are 83 % of the renders that are not bounds with 15 or
   /// 25, 78 % with 10, 91 % with 40.
   static constexpr double kFewestPlaces = 25.0;
-  /// Small pictures do not have so many: this share of their places instead.
+  /// Share of the places of small pictures, which have fewer.
   /// Unit: share. Range: (0, 1]. Source: 51b6652; set by hand, no study.
   static constexpr double kFewestOfPlaces = 0.25;
 

@@ -39,7 +39,7 @@ double relative_mse_trimmed(std::span<const float> image, std::span<const float>
 double relative_mse_quantile(std::span<const float> image, std::span<const float> reference,
                              double below = 0.999, int channels = 3);
 /// Error by scale E_σ: relMSE of picture and reference after a Gaussian of `sigma` pixels
-/// (`blurred`). Independent noise falls with σ, what hangs together does not. Raises
+/// (`blurred`). Independent noise falls with σ, correlated noise does not. Raises
 /// std::invalid_argument if the images have not `size`.
 double relative_mse_at_scale(std::span<const float> image, std::span<const float> reference,
                              Vec2i size, double sigma);

@@ -33,7 +33,7 @@ struct RelativeError {
   double places = 0.0;
   /// The least number of pixels that make half of the squared error, as a share of all.
   double half_of_it = 0.0;
-  /// So few places decide that the next path may be as strong as all that were found.
+  /// True if so few places dominate that the next path may be as strong as all so far.
   bool has_fireflies = false;
   /// There is light that the method cannot see, however long it renders. (For the caller to say.)
   bool misses_light = false;
@@ -49,9 +49,9 @@ struct ErrorAtScale {
 };
 /// Pixels.
 inline constexpr std::array<double, 4> kErrorScales = {1.0, 2.0, 4.0, 8.0};
-/// By scale: the same of the picture after Gaussians of `kErrorScales`. Noise that is
-/// independent from pixel to pixel falls with the scale; what hangs together (clumps of chains)
-/// does not, and no filter takes it away. Raises as above; empty if the picture is black.
+/// By scale: the error of the picture after Gaussians of `kErrorScales`. Noise that is independent
+/// from pixel to pixel falls with the scale; correlated noise (clumps of chains) does not, and no
+/// filter removes it. Raises as above; empty if the picture is black.
 std::vector<ErrorAtScale> estimate_errors_by_scale(const Replicates& replicates, Vec2i size);
 /// Peak memory of the estimates, bytes per pixel.
 std::uint64_t error_estimate_bytes(int replicates);

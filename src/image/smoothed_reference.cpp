@@ -15,7 +15,7 @@ namespace ajar {
 
 namespace {
 
-/// Relative to the median: squares of what is brighter might not be finite.
+/// Relative to the median: squares of brighter values might not be finite.
 constexpr double kMost = 1e17;
 
 float square(float value) { return value * value; }
