@@ -38,17 +38,17 @@ struct PixelShare {
 ///     b    = 1/n Σ g(xᵢ) w(xᵢ)                    of the same samples, which also start the chains
 ///     T    : least X(T)/n + C·b(T)²/N             for n·c_s + N·c_m rays (optimal_thresholds.h)
 ///
-/// X is the variance of a sample with what is left to it, C how many times worse a mutation is than
-/// an independent sample of the chains' light. Where σ is 1, what is left to a sample, F·T/(T + g),
-/// is never more than T.
+/// X is the variance of a sample with its remaining part, C the variance of a mutation over that of
+/// an independent sample of the chains' light. Where σ is 1, the remaining part of a sample, F·T/(T
+/// + g), is never more than T.
 ///
 /// Both sides compute g from the path and its technique alone, and σ and T from its place on the
 /// film, so the parts add up to F. With σ = 1 it is the balance heuristic between independent
-/// samples and a chain of density g/b (Kelemen et al. 2002, section 5.2), but over what
-/// bidirectional path tracing samples anyway, and put into the chain's target, so that the chain
-/// spends no time on what it does not make. The idea to divide in path space is Bitterli & Jarosz
-/// 2019's. With T = 0 it is the division by an image σ of Frolov (docs/methods/selective.md),
-/// and both sides may have different techniques.
+/// samples and a chain of density g/b (Kelemen et al. 2002, section 5.2), but over the existing
+/// samples of bidirectional path tracing, and put into the chain's target, so that the chain spends
+/// no time outside of its part. The idea to divide in path space is Bitterli & Jarosz 2019's. With
+/// T = 0 it is the division by an image σ of Frolov (docs/methods/selective.md), and both sides may
+/// have different techniques.
 class Division final : public PathPart {
  public:
   /// Edges of the longest paths that are direct light.

@@ -103,16 +103,16 @@ struct Findings {
   std::optional<Plane> antialias_mask;
 };
 
-/// A rendering method, cut into work items. It knows nothing of threads, files and clocks: the job
+/// A rendering method, cut into work items. It is independent of threads, files and clocks: the job
 /// first runs the rounds of its preparation, then calls `run_item` for every item of a round of a
 /// pass, in any order and on any thread. Each item is a pure function of its index and, for methods
-/// with a memory, of what the same item left behind in the passes before (chains) and all items in
-/// the rounds before (photons).
+/// with state, of that of the same item after the passes before (chains) and of all items after the
+/// rounds before (photons).
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// A round (counted from 0) of what comes before everything else; one without items ends the
-  /// preparation. Called once per round, after all items of the round before.
+  /// Begins a round (counted from 0) of the preparation; one without items ends it. Called once per
+  /// round, after all items of the round before.
   virtual PreparationRound begin_preparation(int /*round*/) { return {}; }
   virtual void prepare_item(int /*round*/, std::uint64_t /*item*/, Counters& /*counters*/) {}
   /// There is too little of something for the rest of the preparation: the integrator renders as
@@ -185,7 +185,7 @@ struct IntegratorInfo {
   std::vector<ParameterSpec> parameters;
   std::function<std::unique_ptr<Integrator>(const Scene&, const RenderSettings&, const Parameters&)>
       make;
-  /// Adds to what was given what follows from it, such as the values of a preset; may be empty.
+  /// Derives further parameters from the given ones, such as the values of a preset; may be empty.
   std::function<std::map<std::string, std::string>(std::map<std::string, std::string>)> complete =
       nullptr;
 
@@ -199,7 +199,7 @@ struct IntegratorInfo {
 struct AovInfo {
   std::string name;
   std::string summary;      ///< one line
-  bool part_of_all = true;  ///< false for what is large, or made by some integrators only
+  bool part_of_all = true;  ///< false for large layers, and those of some integrators only
 };
 /// Every layer there is, those that need no asking for ("direct", "indirect") included.
 const std::vector<AovInfo>& aovs();

@@ -21,8 +21,8 @@ class PreparationStage {
   virtual void run(std::uint64_t item, Counters& counters) = 0;
   /// Called once, after all items.
   virtual void end() = 0;
-  /// Puts what was rendered on the film of the render, if it is to stay; called once, before the
-  /// first pass.
+  /// Adds its samples to the film of the render, if they are kept; called once, before the first
+  /// pass.
   virtual void hand_over(Film& /*film*/) {}
 };
 

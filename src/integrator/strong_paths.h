@@ -22,7 +22,7 @@ struct StrongPath {
   /// Index of the sample's light subpath, if s ≥ 2. Not saved: the path's numbers are.
   int light_subpath = 0;
   bool hit_only = false;  ///< as in `Contribution`
-  /// Names the randomness of what is done with it.
+  /// Key of its random numbers.
   std::uint64_t key() const {
     return hash_numbers(sample, static_cast<std::uint64_t>(technique.s),
                         static_cast<std::uint64_t>(technique.t));
@@ -44,8 +44,8 @@ class StrongPathSink {
   virtual ~StrongPathSink() = default;
   /// Threshold of the energy below which paths are subject to roulette (`draw_lot`); constant.
   virtual double grain() const { return 0.0; }
-  /// `numbers`: those that the path was made of. Returns false if chains cannot make the path; what
-  /// `path` is then is to be splatted.
+  /// `numbers`: those that the path was made of. Returns false if chains cannot make the path;
+  /// `path` then holds the contribution to splat.
   virtual bool spread(SampleSource& numbers, StrongPath& path) = 0;
 };
 

@@ -16,8 +16,8 @@ class GBuffer {
  public:
   /// Names of all its layers.
   static std::span<const std::string> names();
-  /// Specs of those layers that are asked for, and of what divides them if that is asked for;
-  /// `scene_size` is a typical distance.
+  /// Specs of the requested layers, and of their divisor if requested; `scene_size` is a typical
+  /// distance.
   static std::vector<LayerSpec> layers(std::span<const std::string> asked_for, float scene_size);
 
   explicit GBuffer(const Film& film);

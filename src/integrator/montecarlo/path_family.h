@@ -41,7 +41,7 @@ struct PathIntegratorContext {
   /// With these, it leaves Markov chains their share of long paths and puts its own into the layer
   /// `kWeakLayer`.
   const Divisions* divisions = nullptr;
-  const StrongPathSinks* strong = nullptr;  ///< see what it leaves to chains
+  const StrongPathSinks* strong = nullptr;  ///< sinks of the paths left to chains
   const SampleRates* rates = nullptr;       ///< rates of camera samples; one per pixel without
   const RayPrice* price = nullptr;          ///< saves rays by Russian roulette
   std::optional<PictureScale> scale{};      ///< measured unless it is known

@@ -49,9 +49,9 @@ class SampleRates {
     std::vector<float> indirect;
   };
 
-  /// Makes what can be seen of errors smallest (visible_error.h), as far as it is the camera
-  /// samples' to decide. `variance`: of the mean of the first `samples` samples of the picture (a
-  /// multiple of the number of replicates, no fewer than before), pixel by pixel, row by row.
+  /// Minimises the visible error (visible_error.h) over camera samples. `variance`: of the mean of
+  /// the first `samples` samples of the picture (a multiple of the number of replicates, no fewer
+  /// than before), pixel by pixel, row by row.
   void adjust(std::span<const double> variance, Guesses guesses, std::uint64_t samples);
 
   std::uint64_t memory_bytes() const;
@@ -67,7 +67,7 @@ class SampleRates {
     double rate = 1.0;     ///< since then
   };
   std::size_t cell_of(Vec2i pixel) const;
-  /// In 0..1: what a pixel has of its first camera sample before there is any.
+  /// In 0..1: initial fraction of a pixel's first camera sample.
   double start_of(Vec2i pixel, std::uint64_t replicate) const;
   double upto(const Cell& cell, std::uint64_t round) const {
     return cell.before + cell.rate * static_cast<double>(round - since_);
