@@ -107,7 +107,7 @@ TEST(SeedFilter, LimitsOrDropsOutliersAndMakesUpByWeight) {
   EXPECT_EQ(seed_weight(weights, limited, SeedFilter::None, 99), 1.0);
   EXPECT_NEAR(seed_weight(weights, limited, SeedFilter::Weighted, 99), 101.0 / 32.0 * 131.0 / 200.0,
               1e-9);
-  // On average over what is chosen, the weight is 1.
+  // On average over the chosen samples, the weight is 1.
   double mean = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     mean += limited[i] / 131.0 * seed_weight(weights, limited, SeedFilter::Weighted, i);

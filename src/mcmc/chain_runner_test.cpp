@@ -401,8 +401,7 @@ TEST(ChainRunner, FilteredSeedsAreUnbiasedWithWeightsOnly) {
   for (const std::uint64_t steps : {2, 20}) {
     testing::expect_mean(filtered_brightness(SeedFilter::Weighted, steps), 1.0, 0.05);
   }
-  // The figures of docs/notebook/mutations.md: what is lost comes back as chains forget their
-  // start.
+  // The figures of docs/notebook/mutations.md: lost light comes back as chains forget their start.
   const testing::Mean after_two = filtered_brightness(SeedFilter::Dropped, 2);
   const testing::Mean after_twenty = filtered_brightness(SeedFilter::Dropped, 20);
   EXPECT_NEAR(after_two.value(), 0.613, 5.0 * after_two.error());

@@ -19,8 +19,7 @@ struct Candidate {
   Fault fault = Fault::None;
   SplatBuffer splats;  ///< appended to as the state is evaluated
 
-  /// Takes what a target says of I, as far as chains can go on with it: what is too small for its
-  /// inverse to be finite counts as 0.
+  /// Stores a target's I; values whose inverse would not be finite count as 0.
   void take(double value);
 };
 
@@ -54,8 +53,8 @@ struct Proposal {
 /// returns the probability of each candidate to be the next, and accepts or stays. Holds the
 /// scratch memory of one thread. Kernels set the state of a chain in their own ways.
 ///
-/// A kernel that mixes moves chooses among them by what does not depend on the state, or has the
-/// choice in its probabilities: then each may be right by itself.
+/// A kernel that mixes moves chooses among them independently of the state, or has the choice in
+/// its probabilities: then each may be right by itself.
 class Kernel {
  public:
   virtual ~Kernel() = default;

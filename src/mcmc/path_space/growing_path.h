@@ -29,7 +29,7 @@ class GrowingPath {
   void choose_lens(SampleSource& source);
   /// The camera end sets off, from its place on the lens, through a place on the film.
   bool look(const Vec2& raster);
-  /// The camera end, which has set off, comes to a light: there is nothing left to be joined.
+  /// The camera end runs into a light: there is nothing left to be joined.
   bool run_into_light(SampleSource& source);
 
   /// Joins the ends, and gives the path away, if they see each other within the area and every

@@ -53,8 +53,8 @@ struct PathSpaceHeuristics {
   /// half vectors move": half may be a tenth better, double makes no difference that two seeds
   /// show.
   static constexpr double kLargestOffsetMove = 1.0;
-  /// A manifold walk leads back if it misses no vertex by more than this, beside what the tolerance
-  /// of walks makes of it.
+  /// Tolerance of a reverse manifold walk at each vertex, beside the error that the tolerance of
+  /// walks causes.
   /// Unit: share of the longest move of a vertex, or of the shortest edge if that is less. Range:
   /// (0, 1). Source: docs/notebook/mutations.md, "When a walk back counts": half and double make
   /// next to no difference. Other solutions are about as far as the move, but at the borders of
@@ -66,8 +66,8 @@ struct PathSpaceHeuristics {
   /// hundred moves more, and double seven fewer. In pictures of 2000 pixels it is about this of the
   /// smallest moves.
   static constexpr double kVaguest = 0.5;
-  /// A manifold connection takes a chain if what the tolerance of walks makes of it is no more than
-  /// this: it has to be known when it is found again. Others are left to light hit by chance.
+  /// Largest error by the tolerance of walks for which a manifold connection accepts a chain: it
+  /// has to be recognised when it is found again. Others are left to unidirectional hits.
   /// Unit: share of the shortest edge after the first. Range: (0, 1). Source: set by hand: in
   /// water-caustic walks come to a chain again within 1e-4, and to no other within 6e-3.
   static constexpr double kClear = 0.001;

@@ -18,7 +18,7 @@ namespace {
 double log_join_pdf(const Scene& scene, const Path& path, int seen) {
   const Light& light = *path.light;
   const Vec3& place = path.vertex(seen).p();
-  // A side of a lamp that is turned away is never sampled from there, whatever the density says.
+  // A side of a lamp that is turned away is never sampled from there, even with a positive density.
   const bool turns_away =
       !light.discrete_position() && !light.at_infinity() &&
       light.emitted(path.light_point, normalize(place - path.light_point.surface.p)).is_black();

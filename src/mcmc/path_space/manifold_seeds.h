@@ -24,9 +24,9 @@ class ManifoldSeeds {
         growing_(scene, bounds_.area),
         connection_(scene, photons) {}
 
-  /// A path, and ln of what its f is to be multiplied by, so that the sum over all that one try
-  /// makes, each times what `inverse_chance` says, has the mean ∫ f · (1 − w) at this place of the
-  /// film: w is the mean of `hit_share`. `key` names the randomness that is left for that.
+  /// A path, and ln of a factor of its f, such that the sum over all paths of one try, each times
+  /// its `inverse_chance`, has the mean ∫ f · (1 − w) at this place of the film: w is the mean of
+  /// `hit_share`. `key` names the random numbers for that.
   struct Seed {
     Path path;
     double log_factor;
@@ -43,8 +43,8 @@ class ManifoldSeeds {
   /// names. 1 for paths that are not of the kind.
   double hit_share(const Path& path, std::uint64_t key);
 
-  /// w₀: what that weight would be, as against `tries` of this, if the chain were certain to be
-  /// found. A function of the path alone.
+  /// w₀: that weight, as against `tries` of this, if the chain were certain to be found. A function
+  /// of the path alone.
   static double least_hit_share(const Scene& scene, const Path& path, double tries);
   /// True if this can find the path.
   static bool finds(const Scene& scene, const Path& path);

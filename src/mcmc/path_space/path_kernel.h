@@ -68,9 +68,9 @@ class PathKernel final : public Kernel {
   Candidate candidate_;
 };
 
-/// ln f* of a path, times `weight` if that is not null, and what it splats at I = 1: nothing, and
-/// −∞, if no light is on it, or if its place or the depth that counts is not within bounds; NaN if
-/// what is on it is no number, or negative.
+/// ln f* of a path, times `weight` if that is not null, and its splats at I = 1: nothing, and −∞,
+/// if it has no light, or if its place or the depth that counts is not within bounds; NaN if its
+/// light is NaN, or negative.
 double light_on(const Scene& scene, const Path& path, const PathBounds& bounds, std::int32_t layer,
                 SplatBuffer& splats, PathWeight* weight = nullptr);
 

@@ -16,7 +16,7 @@ struct Kept {
   int camera = 0;
 };
 
-/// ln of the density of what never happens.
+/// ln of the density of impossible events.
 inline constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// A way to change paths (docs/methods/mlt.md): vertices in the midst of a path, or at its ends,

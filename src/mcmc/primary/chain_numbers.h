@@ -20,9 +20,8 @@ struct PrimaryShape {
 };
 
 /// The primary vector of one chain's current state: blocks of `kBlockSize` numbers, one per vertex
-/// of each stream, kept lazily (Kelemen et al. 2002, section 5). A block holds the numbers it had
-/// when it was last asked for, and a stamp of that time; what has happened to it since is made up
-/// for when it is asked for again.
+/// of each stream, kept lazily (Kelemen et al. 2002, section 5). A block holds the numbers of its
+/// last use, and a stamp of that time; missed steps are made up for at its next use.
 ///
 /// Each stream has a clock that counts the accepted steps that moved it, in units of the shortest
 /// (rejected steps moved nothing).

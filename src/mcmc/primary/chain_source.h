@@ -44,8 +44,8 @@ class ChainSource final : public SampleSource {
   ChainSource(const Mutation& mutation, const StepSizes& sizes, const PrimaryShape& shape,
               const PlaneMoves* plane = nullptr);
 
-  /// Where a run goes on: whether the current state uses the raster numbers, and what multiplies
-  /// the length of its small steps.
+  /// Start of a run: whether the current state uses the raster numbers, and the scale of its small
+  /// steps.
   void start(bool uses_raster, float step_scale);
   /// After a step was accepted; 1 unless a published `PlaneMoves` adapts it.
   float step_scale() const { return step_scale_; }
@@ -58,8 +58,7 @@ class ChainSource final : public SampleSource {
   void propose(ChainNumbers& numbers, StepKind kind, const Change& change, std::uint64_t key,
                std::uint64_t units = kStepUnits);
   void accept();
-  /// Restores every number that this step has moved, but keeps what was made up for (see
-  /// `ChainNumbers`).
+  /// Restores every number that this step has moved, but keeps catch-up moves (see `ChainNumbers`).
   void reject();
   /// Accepts a state one small step away from the proposal instead, as `perturb` makes it.
   void accept_moved(std::uint64_t key);

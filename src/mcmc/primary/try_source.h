@@ -16,7 +16,7 @@ class TrySource final : public SampleSource {
 
   /// The next try is the fresh vector named by `key`.
   void make_fresh(std::uint64_t key);
-  /// The next try is one small step away from what `centre` proposes, which it shares with other
+  /// The next try is one small step away from the proposal of `centre`, which it shares with other
   /// tries; `key` names the randomness of this step.
   void move_from_centre(const Change& change, std::uint64_t key);
 
