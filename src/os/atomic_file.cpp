@@ -130,7 +130,7 @@ bool is_named_pipe(const fs::path& path) {
   return fs::is_fifo(fs::symlink_status(behind_links(path), error));
 }
 
-/// Raises IoError for what is known before anything is written.
+/// Raises IoError for errors that show before anything is written.
 Target examine(const fs::path& path) {
   Target target;
   target.exists = ::stat(path.c_str(), &target.status) == 0;

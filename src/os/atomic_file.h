@@ -23,12 +23,12 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
 /// everything as it is. Called before hours of work.
 void check_file_can_be_written(const std::filesystem::path& path);
 
-/// A name in the folder of `path` for what will replace it: hidden, not longer for a longer name,
-/// and not shared by two processes or threads that write the same file. Something may be there.
+/// A name in the folder of `path` for its replacement: hidden, not longer for a longer name, and
+/// not shared by two processes or threads that write the same file. A file of that name may exist.
 std::filesystem::path temporary_path(const std::filesystem::path& path);
 
-/// Removes what processes that are gone (kill −9) left beside `path` of files they were writing
-/// there. For folders that one machine writes into; raises nothing.
+/// Removes temporary files of processes that ended early (kill −9) beside `path`. For folders that
+/// one machine writes into; raises nothing.
 void remove_abandoned_parts(const std::filesystem::path& path);
 
 }  // namespace ajar

@@ -14,7 +14,7 @@ namespace ajar {
 
 namespace {
 
-/// Not to be used up: the rest of the program, and what estimates leave out.
+/// Reserve: the rest of the program, and omissions of estimates.
 constexpr double kUsableShare = 0.95;
 
 /// The number in a file that has nothing else; empty if there is none ("max", or no such file).

@@ -12,7 +12,7 @@ void say(std::string_view text);
 /// Prints on stdout, for scripts: results such as the place of a file.
 void say_on_stdout(std::string_view text);
 
-/// Writes to stdout what a command was asked for. A reader that has seen enough (`| head`) is no
+/// Writes the result of a command to stdout. A reader that closes the pipe early (`| head`) is no
 /// error. Raises IoError if it cannot be written.
 void print_result(std::string_view text);
 
