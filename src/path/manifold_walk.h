@@ -42,13 +42,14 @@ class ManifoldWalk {
             std::span<const OffsetNormal> offsets = {});
   /// Follows the ray from `start` through a place by specular events as the surfaces choose them,
   /// up to the first that scatters otherwise, `most` at most: false if there are none. Such chains
-  /// are what walks begin with where no path is known.
+  /// are initial guesses of walks where no path is known.
   bool set_off(const ChainStart& start, const Vec3d& through, int most, SampleSource& source);
   /// The place of the first vertex that scatters otherwise; empty if it was not reached.
   const std::optional<Vec3>& landing() const { return landing_; }
-  /// Where the walk came to, or what it set off by, in the order from the start.
+  /// Result of the walk, or its initial guess, in the order from the start.
   std::span<const InnerVertex> vertices() const { return vertices_; }
-  /// By how much these may miss what leads to `target` exactly, by the tolerance of walks.
+  /// Bound of the distance of these from the chain that leads to `target` exactly, by the tolerance
+  /// of walks.
   double uncertainty() const { return uncertainty_; }
   /// See `SpecularChain`: of where the walk came to.
   bool is_mirrored() const { return linear_.is_mirrored(); }
@@ -64,7 +65,7 @@ class ManifoldWalk {
   InnerVertex* arrive();
   bool trace(const ChainStart& start, const Vec3d& through, std::span<const InnerVertex> events);
   bool measure(const ChainStart& start, std::span<const InnerVertex> vertices, const Vec3d& target);
-  /// Where vertex `i` of a chain sends what comes from the direction `back`.
+  /// Direction in which vertex `i` of a chain continues light from the direction `back`.
   std::optional<Vec3d> onward(const InnerVertex& vertex, std::size_t i, const Vec3d& back) const;
 
   const Scene& scene_;

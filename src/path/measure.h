@@ -39,10 +39,10 @@ ScaledSpectrum contribution(const Scene& scene, const Path& path);
 /// True if light tracing, technique (s, 1), reaches this place on the film.
 bool inside_image(const Scene& scene, const Vec2& raster);
 
-// Densities of single vertices, of which those of techniques are products. Vertices are what they
-// are to the side that is sampled from: those before are given. All are by the lane that distances
-// in media are sampled by, which is one for all vertices of a path, any: the density of several is
-// the mean over lanes of the product (`LogDensity`).
+// Densities of single vertices, of which those of techniques are products. The vertices before on
+// the sampled side are given. All are by the lane that distances in media are sampled by, which is
+// one for all vertices of a path, any: the density of several is the mean over lanes of the product
+// (`LogDensity`).
 
 /// Jacobian from the density of the direction in which `from` is left (of endpoints at infinity: of
 /// the place where the ray crosses a plane) to that of its neighbour `to`, in the measure of that

@@ -90,8 +90,8 @@ bool is_seen_past_lights(const Scene& scene, const Path& path, int edge);
 /// True if the light of the path, or an emissive surface on its way, is hidden from the camera.
 bool is_hidden(const Scene& scene, const Path& path);
 
-/// Sets `event.transmission` of the vertices that scatter by rough lobes: what no one has sampled
-/// says nothing of it.
+/// Sets `event.transmission` of the vertices that scatter by rough lobes; unsampled events leave it
+/// unset.
 void mark_sides(const Scene& scene, Path& path);
 
 }  // namespace ajar

@@ -39,8 +39,8 @@ class SpecularChain {
   bool set(const ChainEnd& start, std::span<const InnerVertex> vertices, const ChainEnd& end,
            std::span<const OffsetNormal> offsets = {});
 
-  /// By how much s_{i+1} moves (i from 0) if the end moves by `by`, of which what is along the last
-  /// ray does not count; of an end at infinity: the direction `toward` it.
+  /// Movement of s_{i+1} (i from 0) if the end moves by `by`, whose part along the last ray does
+  /// not count; of an end at infinity: the direction `toward` it.
   Vec3d moved(std::size_t i, const Vec3d& by) const;
   /// The most by which any vertex moves, over that by which the end does.
   double largest_move() const;

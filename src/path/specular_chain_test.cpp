@@ -193,8 +193,8 @@ TEST(SpecularChain, SpreadAndMovesAreThoseOfRaysBeside) {
   }
 }
 
-/// Beyond a focus rays beside have crossed, and beyond two again: with the constraints turns what a
-/// bundle of rays looks like.
+/// Beyond a focus neighbouring rays have crossed, and beyond two again: the constraints change sign
+/// with the orientation of a bundle of rays.
 TEST(SpecularChain, IsMirroredWhereRaysBesideHaveCrossed) {
   int once = 0;
   int not_or_twice = 0;
@@ -308,7 +308,7 @@ std::vector<Vec3d> search(const Scene& scene, const Case& c, const Vec3d& target
   return found;
 }
 
-/// A walk comes to one of the chains that there are, and back to that it set off from.
+/// A walk arrives at one of the chains that there are, and returns to its own.
 TEST(ManifoldWalk, ReachesTheChainOfASearchAndReturns) {
   for (const Case& c : cases()) {
     if (!c.name.ends_with("Ball") && c.name != "Slab" && !c.name.ends_with("Waves")) continue;
