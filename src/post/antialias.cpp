@@ -89,8 +89,8 @@ Blend find_blend(const Plane& luma, Vec2i p) {
   const StairEnd before = follow_edge(luma, p, across, -along, edge_luma, least_change);
   const StairEnd after = follow_edge(luma, p, across, along, edge_luma, least_change);
   const StairEnd& nearer = before.distance < after.distance ? before : after;
-  // The line through the stairs reaches into this pixel if beyond the nearer end there is more of
-  // what is across the edge; else it reaches into the pixel there.
+  // The line through the stairs reaches into this pixel if the luma beyond the nearer end changes
+  // toward that across the edge; else it reaches into the pixel there.
   if (nearer.change * step <= 0.F) return {};
   return {p + across, 0.5F - nearer.distance / (before.distance + after.distance)};
 }

@@ -61,7 +61,7 @@ struct PostHeuristics {
   /// Differences that count as large.
   /// Unit: standard deviations. Range: (0, 4]. Source: docs/notebook/denoising.md.
   static constexpr float kRegressionTolerance = 0.7F;
-  /// Added to the variance of what explains the light: slopes that little supports are small.
+  /// Added to the variance of regressors: slopes with little support are small.
   /// Unit: features and windows squared. Range: (0, 1]. Source: docs/notebook/denoising.md.
   static constexpr float kRidge = 1e-3F;
   /// Patch over which the variance of a pixel is averaged.

@@ -80,7 +80,7 @@ Plane luminances(const Planes& colour) {
   });
 }
 
-/// `colour` without pixels that are too bright for what both halves have around them.
+/// `colour` without pixels that are too bright for the surroundings in both halves.
 Planes without_bright_pixels(const Planes& colour, const Planes& other) {
   const Vec2i size = colour.front().size;
   const SeparableKernel box = box_kernel(PostHeuristics::kAroundPixel);

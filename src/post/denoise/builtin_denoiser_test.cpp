@@ -51,7 +51,7 @@ double light_of(const std::vector<float>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Two halves of a picture, and what the filter makes of them.
+/// Two halves of a picture, and the filter's result.
 struct Filtered {
   explicit Filtered(const std::vector<float>& truth, const Features& features = {},
                     const Denoiser::Progress& progress = {})

@@ -46,7 +46,7 @@ class Denoiser {
 /// Values that are no numbers, or infinite, as 0.
 std::vector<float> finite_values(std::span<const float> values);
 
-/// Names of what `--denoise` takes.
+/// Values of `--denoise`.
 std::span<const std::string> denoiser_names();
 
 /// Denoiser by name: null for "none"; "auto" is "oidn" where that is found, else "builtin". Raises

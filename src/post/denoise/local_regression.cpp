@@ -107,8 +107,8 @@ class PatchDistance {
   std::array<float, std::size_t{kRows} * kWidth> sums_{};
 };
 
-/// Sums for weighted least squares at each pixel of a tile. Models are relative to the pixel: what
-/// they say there is their constant.
+/// Sums for weighted least squares at each pixel of a tile. Models are relative to the pixel: their
+/// value there is their constant.
 class Sums {
  public:
   explicit Sums(std::size_t slopes)

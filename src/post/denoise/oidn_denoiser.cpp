@@ -127,7 +127,7 @@ int halvings_for_library(const std::vector<float>& colour) {
   return level > kBrightest || level < kDimmest ? level : 0;
 }
 
-/// By a power of two; what is too large for a float is as large as one can be.
+/// By a power of two; values too large for a float become the largest float.
 void multiply(std::vector<float>& values, int exponent) {
   constexpr float kMost = std::numeric_limits<float>::max();
   for (float& value : values) value = std::clamp(std::ldexp(value, exponent), -kMost, kMost);
