@@ -13,7 +13,7 @@ class DirectionMap {
  public:
   struct Local {
     Vec3 w;         ///< unit
-    float stretch;  ///< dω_local / dω_world: what turns a local density into one in the world
+    float stretch;  ///< dω_local / dω_world: factor of a local density in the world
   };
 
   /// Identity.

@@ -10,9 +10,9 @@
 
 namespace ajar {
 
-/// Where a path starts or ends: a point on a light or on the lens. Made by the endpoint itself
-/// (`sample_emission`, `sample_connection`, `Light::at_direction`) or, on surfaces, from what a ray
-/// hit; hand it back to the same endpoint unchanged.
+/// An end of a path: a point on a light or on the lens. Made by the endpoint itself
+/// (`sample_emission`, `sample_connection`, `Light::at_direction`) or, on surfaces, from a ray's
+/// hit; it is passed back to that endpoint unchanged.
 struct EndpointPoint {
   /// p, ng, uv. Endpoints without a surface (pinhole, point light, infinity) have ng = 0. At
   /// infinity p is meaningless, except for orthographic cameras: where the ray crosses the film

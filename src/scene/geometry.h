@@ -68,7 +68,7 @@ class Geometry {
   /// From now on every ray is written to `log`, until it is null again. For benchmarks: one thread
   /// only.
   void log_rays(RayLog* log) { ray_log_ = log; }
-  /// Traces the rays of a log again and does nothing with what they hit.
+  /// Traces the rays of a log again and ignores their hits.
   void replay(const RayLog& log) const;
 
   /// From now on hits of this shape have no derivatives.
@@ -101,7 +101,7 @@ class Geometry {
                       Warnings& warnings);
   void prepare_instances(const desc::SceneDesc& description, Warnings& warnings);
   SceneHandle commit(std::size_t first, std::size_t count, bool with_instances) const;
-  /// Boxes in the world, empty of what is dropped.
+  /// Boxes in the world, empty for dropped instances.
   std::vector<Box3> instance_boxes() const;
   void check_instances(const desc::SceneDesc& description, const std::vector<Box3>& boxes);
   void find_receivers(const desc::SceneDesc& description, const std::vector<Box3>& instances);

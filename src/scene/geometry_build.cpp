@@ -34,7 +34,7 @@ void check(RTCDevice device, const SourceLocation& where) {
   }
 }
 
-/// Puts what was built of a shape into its record.
+/// Puts the built shape into its record.
 struct RecordFilling {
   ShapeRecord& record;
   const SourceLocation& where;

@@ -91,7 +91,7 @@ void quadric_bounds(const RTCBoundsFunctionArguments* args) {
   float* lower[3] = {&args->bounds_o->lower_x, &args->bounds_o->lower_y, &args->bounds_o->lower_z};
   float* upper[3] = {&args->bounds_o->upper_x, &args->bounds_o->upper_y, &args->bounds_o->upper_z};
   for (int i = 0; i < 3; ++i) {
-    // Wide enough that single-precision traversal cannot miss what double precision would hit.
+    // Wide enough that single-precision traversal cannot miss hits in double precision.
     const double margin = 1e-6 * std::max(std::abs(low[i]), std::abs(high[i])) + 1e-30;
     *lower[i] = static_cast<float>(low[i] - margin);
     *upper[i] = static_cast<float>(high[i] + margin);

@@ -40,7 +40,7 @@ struct InstanceRecord {
   std::size_t object = 0;
 };
 
-/// Embree's context with what callbacks need in addition. The first member must stay first: Embree
+/// Embree's context with additional data for callbacks. The first member must stay first: Embree
 /// hands back its address.
 struct QueryContext {
   RTCIntersectContext embree;

@@ -67,7 +67,7 @@ TEST(Geometry, HasTheBoundsOfItsReceivers) {
       world_of({shape(testing::sphere_node(), translation(5, 0, 0)), sun}).geometry->receivers(),
       {4, -1, -1}, {6, 1, 1});
 
-  // Instances do not emit, whatever their shapes say.
+  // Instances do not emit, even with emissive shapes.
   desc::SceneDesc scene;
   scene.shapes = {sun, mesh_shape(cube())};
   desc::Object object;

@@ -22,7 +22,7 @@ struct GeometryHit {
   std::uint32_t shape;        ///< flat index of the shape, see Geometry
   std::uint32_t instance_id;  ///< 0: not an instance; else index of the instance + 1
   SurfacePoint point;
-  bool cut_away = false;  ///< here is no surface, but what counts as one
+  bool cut_away = false;  ///< cut away, but counted as a surface
 };
 
 /// Intersection of a ray with the scene.

@@ -146,7 +146,7 @@ void add_endpoint(std::vector<InverseCase>& all, const std::string& name, const 
 /// Away from all lights, for those that are aimed.
 constexpr BoundingSphere kReceivers{Vec3(0.F, 0.F, -12.F), 4.F};
 
-/// Lights of every model, and what they stand on.
+/// Lights of every model, and their supports.
 struct AllLights {
   std::vector<std::unique_ptr<ImageFile>> images;
   std::vector<BuiltShape> shapes;

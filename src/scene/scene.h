@@ -48,7 +48,7 @@ class Scene {
   std::optional<Hit> intersect(const Ray& ray) const;
   /// Writes into `hit`, which is undefined if this returns false.
   bool intersect(const Ray& ray, Hit& hit) const;
-  /// A hit that was found before, with what belongs to its shape; empty if there is no such shape.
+  /// An earlier hit, with the data of its shape; empty if there is no such shape.
   std::optional<Hit> recall(const GeometryHit& hit) const;
   /// Derivatives of the surface and of its shading normal before bumps and normal maps
   /// (scene/surface_derivatives.h); empty where they are unknown: see Geometry.
@@ -69,7 +69,7 @@ class Scene {
   bool has_uncounted() const { return has_uncounted_; }
   /// True if some interface adds to the depth of paths that cross it.
   bool has_counted_interfaces() const { return has_counted_interfaces_; }
-  /// True if the camera looks past lights, into what is behind them.
+  /// True if the camera looks past lights at the background.
   bool hides_lights() const { return hides_lights_; }
 
   const Camera& camera() const { return *camera_; }
@@ -110,7 +110,7 @@ class Scene {
   };
   void build_lights(const desc::SceneDesc& description, Warnings& warnings);
   double reach_of_rays() const;
-  /// Fills in what belongs to the shape.
+  /// Fills in the data of the shape.
   void complete(Hit& hit) const;
   void build_surfaces(const desc::SceneDesc& description, Warnings& warnings);
   void name_things(const desc::SceneDesc& description);

@@ -26,7 +26,7 @@ inline constexpr float kHalfUlp = 0x1p-24F;
 
 /// Roundings of the coordinates of a point by which the origins of rays are moved off a surface.
 /// Two are needed: the point is rounded once when it is found and once more when it is moved. The
-/// rest is for what is unsure of the tests for triangles (`TriangleMesh::plane_error`).
+/// rest is for errors of the tests for triangles (`TriangleMesh::plane_error`).
 inline constexpr float kOffsetRoundings = 4.F;
 
 /// Distance along the unit normal `ng` by which rounding the coordinates of `p` can displace it.

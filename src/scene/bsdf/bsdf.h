@@ -120,7 +120,7 @@ class Bsdf {
   /// Index of refraction behind the surface over that in front, as the first rough dielectric among
   /// the lobes has it; 1 if there is none.
   float rough_eta() const;
-  /// Approximate directional albedo for direction `wo`: what the albedo AOV shows.
+  /// Approximate directional albedo for direction `wo`, for the albedo AOV.
   Spectrum albedo(const Vec3& wo) const;
 
   Vec3 ng() const { return ng_.unpack(); }
@@ -155,8 +155,8 @@ class Bsdf {
   /// The lobe that `u` chooses, which is made a number for that lobe alone; none if it is
   /// impossible.
   std::optional<int> choose(const Weights& weights, float& u) const;
-  /// The numbers by which lobe `index` is chosen and comes to a direction; `u` as in `choices` of
-  /// the lobes.
+  /// The numbers by which lobe `index` is chosen and gives a direction; `u` as in `choices` of the
+  /// lobes.
   UnitInterval choices(int index, const Weights& weights, const Vec3& wo, const Vec3& wi,
                        bool transmission, float& u) const;
   Spectrum value(int index, const Pair& pair, TransportMode mode) const;

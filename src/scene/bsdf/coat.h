@@ -5,10 +5,10 @@
 #include "scene/bsdf/microfacet_reflection.h"
 #include "scene/bsdf/under_layer.h"
 
-/// Transparent coats of a dielectric, on whatever is below: both sides of the surface are coated
-/// alike. A coat reflects part of the light and lets the rest through, twice for what the base
-/// scatters; `Coat::transmittance` is that share, so that coat and base together never reflect more
-/// than comes in.
+/// Transparent coats of a dielectric over any base: both sides of the surface are coated alike. A
+/// coat reflects part of the light and transmits the rest, twice for light that the base scatters;
+/// `Coat::transmittance` is that share, so that coat and base together never reflect more than
+/// comes in.
 namespace ajar {
 
 /// Fresnel term of the inside of a coat, seen from outside: `eta` ≥ 1 from either side.
@@ -25,8 +25,8 @@ using SmoothCoat = FresnelMirror<CoatFresnel>;
 /// Transmittance of the facets of a rough coat to the base and back. Renderers differ.
 enum class CoatPass : std::uint8_t {
   Whole,     ///< all that they do not reflect
-  Smooth,    ///< as much as a smooth coat does, or `Whole` where that is less
-  Single,    ///< by `coat_table::refracted`; what is not goes back to the base
+  Smooth,    ///< as a smooth coat, or `Whole` where that is less
+  Single,    ///< by `coat_table::refracted`; the rest goes back to the base
   Lossy,     ///< all that they do not reflect, with internal reflection by
              ///< `coat_table::mean_reflected_inside`
   LossySum,  ///< all that they do not reflect, with `coat_table::sum_reflected_inside`
@@ -99,8 +99,8 @@ struct CoatInside {
 };
 
 /// Diffuse base under a coat, with the reflections between the two: T(θ_o) T(θ_i) r (1 + x + x² +
-/// …) / (π η²), x = r F a², where F is what the coat reflects of diffuse light from inside and a
-/// what one way through it leaves of that. T is weakened by exp(−depth / cos θ'), θ' being the
+/// …) / (π η²), x = r F a², where F is the coat's reflectance of diffuse light from inside and a
+/// the transmittance of one way through it. T is weakened by exp(−depth / cos θ'), θ' being the
 /// refracted angle (but see `CoatInside`). A white base gives all back that a clear coat lets
 /// through. Source: Wolff 1994, "Diffuse-reflectance model for smooth dielectric surfaces"; T of
 /// rough coats as above.
@@ -140,7 +140,7 @@ struct CoatedDiffuse : CosineSampled<CoatedDiffuse> {
 
 /// Reflectance of a metal under a coat for the cosines of both directions outside, with the
 /// reflections between the two as if both were smooth: T(θ_o) T(θ_i) R (1 + x + x² + …), x = R F,
-/// with R the metal's term inside of the coat, and F the smaller of what the coat reflects of the
+/// with R the metal's term inside of the coat, and F the smaller of the coat's reflectances of the
 /// two directions, so that no energy is gained.
 inline Spectrum coated_reflectance(const Spectrum& metal, const Coat& coat, float cos_o,
                                    float cos_i) {
@@ -246,8 +246,8 @@ struct CoatedConductorEcho : CosineSampled<CoatedConductorEcho> {
 /// Index of refraction of varnish. Source: KHR_materials_clearcoat.
 inline constexpr float kVarnishIndex = 1.5F;
 
-/// Varnish over a share of the surface. KHR_materials_clearcoat weakens the base once, by what the
-/// varnish reflects; here that is the more of the two directions, so that the base stays
+/// Varnish over a share of the surface. KHR_materials_clearcoat weakens the base once, by the
+/// varnish's reflectance; here that is the larger of the two directions, so that the base stays
 /// reciprocal, and reflects no more than comes in together with the varnish.
 struct Varnish {
   float alpha = 0.F;  ///< roughness; 0 for a smooth one
@@ -272,7 +272,7 @@ struct Varnish {
 template <typename Base>
 using UnderVarnish = UnderLayer<Base, Varnish>;
 
-/// Both layers smooth: one mirror of what the coat and the metal below it reflect.
+/// Both layers smooth: one mirror with the reflectance of the coat and the metal below it.
 struct CoatedConductorFresnel {
   ConductorFresnel metal;  ///< relative to the coat
   Coat coat;               ///< a smooth one

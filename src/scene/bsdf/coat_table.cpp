@@ -32,8 +32,8 @@ struct Facet {
   float area;
 };
 
-/// Midpoints of the distribution D cos θ, over half a turn: what is seen is mirrored in the other.
-/// The cumulative distribution is 1 − v², so that the long tails of GGX have enough of them.
+/// Midpoints of the distribution D cos θ, over half a turn: the other half is its mirror image. The
+/// cumulative distribution is 1 − v², so that the long tails of GGX have enough of them.
 std::vector<Facet> facets_of(FacetModel model, float alpha, int rings, int turns) {
   const bool is_beckmann = model == FacetModel::Beckmann || model == FacetModel::BeckmannSeparable;
   std::vector<Facet> facets;
@@ -109,7 +109,7 @@ class VisibleFacets {
   }
 
  private:
-  /// G2 / G1 of what leaves a facet this way, 0 on the wrong side.
+  /// G2 / G1 of light that leaves a facet this way, 0 on the wrong side.
   float left(const Vec3& wi, float side) const {
     if (!(wi.z * side > kGrazing)) return 0.F;
     const float cos_i = std::abs(wi.z);
@@ -122,7 +122,7 @@ class VisibleFacets {
     Vec3 normal;
     float cosine;    ///< to `wo_`
     float area;      ///< projected area visible from `wo_`
-    float mirrored;  ///< share of what it mirrors that no other facet is in the way of
+    float mirrored;  ///< unmasked share of its reflection
   };
 
   Microfacets facets_;

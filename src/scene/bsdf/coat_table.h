@@ -31,9 +31,8 @@ float mean_reflected_inside(const RoughBoundary& boundary);
 float sum_reflected_inside(const RoughBoundary& boundary);
 
 /// A smooth boundary, with rough mirrors inside that reflect all light: of light from this cosine
-/// outside, the share that comes in, is reflected once, and is turned back to the mirrors. Without
-/// what is turned back even by smooth ones. `below` has the index of the boundary and the facets of
-/// the mirrors.
+/// outside, the share that comes in, is reflected once, and is reflected back to the mirrors, less
+/// that of smooth ones. `below` has the index of the boundary and the facets of the mirrors.
 float returned(const RoughBoundary& below, float cosine);
 /// Its mean over a hemisphere of directions outside, weighted by their cosines.
 float mean_returned(const RoughBoundary& below);

@@ -77,8 +77,8 @@ TEST(CoatTable, TurnsBackDiffuseLightInsideAsTheLobeDoes) {
       }
       const float inside = coat_table::mean_reflected_inside(boundary);
       EXPECT_NEAR(inside, sum / kDirections, 6e-3) << static_cast<int>(model) << " " << alpha;
-      // Light that is neither turned back nor let out, which is as much as comes in (reciprocity),
-      // is lost.
+      // Light that is neither reflected back nor let out, which is as much as comes in
+      // (reciprocity), is lost.
       EXPECT_LE(inside, 1.F - coat_table::mean_refracted(boundary) / 2.25F + 1e-3F);
       EXPECT_NEAR(coat_table::sum_reflected_inside(boundary), inside * 63.F / 64.F, 2e-3F);
     }

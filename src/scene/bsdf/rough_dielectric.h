@@ -5,8 +5,8 @@
 namespace ajar {
 
 /// Rough boundary between two dielectrics: reflection and refraction at microfacets, each facet
-/// choosing in proportion to what the two carry. `reflect` and `transmit` tint the two and may be
-/// black. Source: Walter et al. 2007, eqs. 20 and 21.
+/// choosing in proportion to their energy. `reflect` and `transmit` tint the two and may be black.
+/// Source: Walter et al. 2007, eqs. 20 and 21.
 struct RoughDielectric {
   static constexpr bool kSpecular = false;
   Microfacets facets;

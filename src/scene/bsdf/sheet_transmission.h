@@ -12,8 +12,7 @@ struct SheetFresnel {
 };
 
 /// Transmission through a rough sheet without thickness, which blurs light and does not bend it:
-/// what its facets would reflect if they were mirrors, mirrored to the other side, times 1 − F.
-/// Source: Burley 2015.
+/// the reflection of mirror facets, mirrored to the other side, times 1 − F. Source: Burley 2015.
 struct SheetTransmission {
   static constexpr bool kSpecular = false;
   Microfacets facets;

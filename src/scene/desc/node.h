@@ -88,7 +88,7 @@ class Node {
   bool has(std::string_view name) const { return find(name) != nullptr; }
   /// Raises std::logic_error for names that the model does not have.
   const Value& get(std::string_view name) const;
-  /// The value as what it must be; raises as `get` does and std::bad_variant_access.
+  /// The value by type; raises as `get` does and std::bad_variant_access.
   bool flag(std::string_view name) const { return std::get<bool>(get(name)); }
   int integer(std::string_view name) const { return std::get<int>(get(name)); }
   float number(std::string_view name) const { return std::get<float>(get(name)); }

@@ -128,7 +128,7 @@ struct Camera {
   Mat4 to_world;  ///< camera looks along +z, +y is up, +x right (left-handed)
   std::variant<PerspectiveCamera, OrthographicCamera, EnvironmentCamera> node;
   MediumId medium = kNone;
-  /// Looks past lights, into what is behind them; they shine all the same.
+  /// Looks past lights at the background; they shine all the same.
   bool hides_lights = false;
 };
 

@@ -57,8 +57,8 @@ class Aim {
   }
 
  private:
-  /// Share of directions that are aimed. Others bound the variance of light that lamps throw on
-  /// lamps to 1 / (1 − kAimed) of what it would be without, and cost 1 / kAimed of the rest.
+  /// Share of directions that are aimed. Others bound the variance of light between lamps to 1 / (1
+  /// − kAimed) of that without aiming, and cost 1 / kAimed of the rest.
   static constexpr float kAimed = 0.95F;
   /// Sine of half the angle of the narrowest cone: directions are rounded to 10⁻⁷.
   static constexpr float kNarrowest = 1e-3F;

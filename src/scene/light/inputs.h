@@ -26,7 +26,7 @@ struct TexelTreatment {
   bool rows_at_edges = false;  ///< the first and the last row, as `Map::put_rows_at_edges`
 };
 
-/// The description of one light, with what it needs to know of the scene.
+/// The description of one light, with the data of the scene that it needs.
 class LightInputs {
  public:
   /// Warns of a transform that cannot be inverted: it counts as no rotation.

@@ -17,9 +17,9 @@ class Medium;
 /// it is on, a light at infinity by rays that leave the scene.
 class Light : public Endpoint {
  public:
-  /// Emitted power per lane, W, approximately; of lights at infinity what crosses the scene's
-  /// bounding sphere. Used to choose among lights: > 0 in some lane for every light that emits at
-  /// all.
+  /// Emitted power per lane, W, approximately; of lights at infinity the power that crosses the
+  /// scene's bounding sphere. Used to choose among lights: > 0 in some lane for every light that
+  /// emits at all.
   virtual Spectrum power() const = 0;
   /// Where it is and where it shines; empty for lights at infinity.
   virtual std::optional<LightBounds> bounds() const { return std::nullopt; }

@@ -13,7 +13,7 @@ struct LightBounds {
   DirectionCone normals;
   float emission_angle = 0.F;  ///< radians, up to π/2; irrelevant for the whole sphere of normals
   /// Largest radiant intensity in any direction, approximately: luminance, W/sr. Intensity rather
-  /// than power, so that a narrow beam counts as what it is for those who stand in it.
+  /// than power, so that a narrow beam has its weight for points within.
   float intensity = 0.F;
   bool two_sided = false;
 };

@@ -22,8 +22,8 @@ LightList point_lights(const std::vector<float>& intensities) {
   return lights;
 }
 
-/// Sum over the lights of (what each sends to `at`)² / probability: the second moment of next event
-/// estimation there, over the square of its mean. `share` scales what a light sends.
+/// Sum over the lights of (light sent to `at`)² / probability: the second moment of next event
+/// estimation there, over the square of its mean. `share` scales the light of each.
 struct SecondMoments {
   double by_sampler = 0.0;
   double by_power = 0.0;

@@ -138,7 +138,7 @@ class LightTree::Builder {
     node.link[lane] = link | (bounds.two_sided ? kTwoSided : 0U);
   }
 
-  /// Orders the items such that the two halves are on the two sides of what is returned.
+  /// Orders the items such that the two halves are on the two sides of the returned index.
   std::size_t split(std::size_t first, std::size_t last) {
     Box3 centers;
     for (std::size_t i = first; i < last; ++i) centers.extendBy(centroid(items_[i].bounds));

@@ -8,12 +8,11 @@
 
 namespace ajar {
 
-/// Chooses among lights at finite places in proportion to an estimate of what they send to a point:
-/// a tree of bounds, descended at random by the importance of the children. Every light
-/// that can reach the point can be chosen, but for roundings. Immutable; choosing takes O(depth),
-/// without recursion. Source: Conty Estevez & Kulla 2018, "Importance sampling of many lights with
-/// adaptive tree splitting"; the importance follows pbrt-v4, section 12.6.3, for points without
-/// normal.
+/// Chooses among lights at finite places in proportion to an estimate of their light at a point: a
+/// tree of bounds, descended at random by the importance of the children. Every light that can
+/// reach the point can be chosen, but for roundings. Immutable; choosing takes O(depth), without
+/// recursion. Source: Conty Estevez & Kulla 2018, "Importance sampling of many lights with adaptive
+/// tree splitting"; the importance follows pbrt-v4, section 12.6.3, for points without normal.
 class LightTree {
  public:
   static constexpr int kWidth = 4;

@@ -5,7 +5,7 @@
 
 namespace ajar {
 
-/// Connection from `reference` to an endpoint at one point; `intensity(w)` is what it emits in unit
+/// Connection from `reference` to an endpoint at one point; `intensity(w)` is its emission in unit
 /// direction w. Empty if that is black or `reference` is too near for a finite weight.
 template <typename Intensity>
 std::optional<ConnectionSample> connect_to_point(const Vec3& position, const Vec3& reference,

@@ -10,7 +10,7 @@
 /// Inputs of materials; textures are clamped to values that lobes accept.
 namespace ajar {
 
-/// The description of one material, with what it refers to.
+/// The description of one material, with its references.
 class MaterialInputs {
  public:
   /// `made` are the materials before this one.
@@ -38,9 +38,9 @@ class MaterialInputs {
 
 /// An index of refraction, or a texture.
 ParameterSpec index_input();
-/// "coat_depth", what `coat_depth` reads.
+/// "coat_depth", for `coat_depth`.
 ParameterSpec coat_depth_input();
-/// "coat_transmission", what `coat_pass` reads.
+/// "coat_transmission", for `coat_pass`.
 ParameterSpec coat_transmission_input();
 CoatPass coat_pass(const desc::Node& node);
 /// "roughness" and "roughness_scale".
@@ -48,7 +48,7 @@ std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value);
 /// "roughness", "roughness_v" and "roughness_scale".
 std::vector<ParameterSpec> roughness_inputs(std::string value);
 
-/// "distribution", with `others` beside those of facets, and "masking": what `facet_model` reads.
+/// "distribution", with `others` beside those of facets, and "masking", for `facet_model`.
 std::vector<ParameterSpec> facet_inputs(std::vector<std::string> others = {});
 /// Facets of a layer whose distribution has a name of its own; "masking" is common to all.
 FacetModel facet_model(const desc::Node& node, std::string_view distribution = "distribution");

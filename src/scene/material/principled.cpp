@@ -123,7 +123,7 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   }
 }
 
-/// Varnish, gloss and base, each of which gets what those above it leave.
+/// Varnish, gloss and base, each of which gets the rest of the light of those above it.
 void Principled::add_layers(const Point& p, const Spectrum& scale, Bsdf& bsdf) const {
   const float share = weight(coat_, p.at);
   // Source of the limit: Pharr et al. 2023, section 9.6.2.

@@ -3,7 +3,7 @@
 
 namespace ajar {
 
-/// A shading normal, and what of the surface runs along with it.
+/// A shading normal, and tangents of the surface across it.
 struct ReliefFrame {
   Vec3 ns;    ///< unit, in the hemisphere of ng
   Vec3 dpdu;  ///< not normalised

@@ -91,7 +91,7 @@ TEST(ColorField, SamplesDistancesByTheMeanOfTheLanes) {
   const Medium medium(
       "smoke", 0.F,
       std::make_unique<const ColorField>(two_colors(DensityGrid::Border::Clamp), kSigmaA, kSigmaS));
-  // The last bin is for what crosses the box.
+  // The last bin is for light that crosses the box.
   constexpr std::size_t kBins = 40;
   constexpr int kSamples = 100000;
   std::array<double, kBins + 1> found{};

@@ -45,7 +45,7 @@ inline SurfacePoint flat_point() {
   return at;
 }
 
-/// A scene description of materials alone, and what is built of it.
+/// A scene description of materials alone, and its built materials.
 struct Fixture {
   desc::SceneDesc scene;
   TextureList textures;

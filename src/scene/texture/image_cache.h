@@ -38,7 +38,7 @@ enum class ImageChannel {
   VaryingAlphaOrColor  ///< alpha beside three colours, unless it is 1 everywhere; else the colours
 };
 
-/// An image file, or one of the scene's embedded files, and what is taken of it.
+/// An image file, or one of the scene's embedded files, and its selected channels.
 struct ImageRequest {
   std::string path;
   ImageChannel channel = ImageChannel::Color;

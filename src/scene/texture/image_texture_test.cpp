@@ -409,7 +409,7 @@ TEST_F(ImageTextureTest, UnreadableImagesOfNumbersChangeNothingElse) {
   const TextureList textures = build_textures(scene, warnings);
   EXPECT_EQ(textures[0]->eval(at_uv(0.3F, 0.3F)), Spectrum(1.F));
   EXPECT_TRUE(warnings.messages().front().ends_with("it is replaced by 1"));
-  // Nor does a normal map tilt what it should.
+  // Nor does a normal map tilt the normal.
   desc::Material material;
   material.normal_map.texture = 1;
   EXPECT_TRUE(Relief(material, textures).is_flat());
