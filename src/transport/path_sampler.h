@@ -32,8 +32,8 @@ struct Contribution {
   const Light* light = nullptr;
 };
 
-/// Receives what a `PathSampler` finds. Vertices are reported before the contributions that use
-/// them.
+/// Receives the contributions of a `PathSampler`. Vertices are reported before the contributions
+/// that use them.
 class PathSink {
  public:
   virtual ~PathSink() = default;
@@ -48,8 +48,7 @@ class PathSink {
   /// The first surface or medium vertex the camera sees, at `distance` from it; `hit` is null for a
   /// medium vertex.
   virtual void first_vertex(const PathVertex& /*vertex*/, const Hit* /*hit*/, float /*distance*/) {}
-  /// Where a subpath starts, every vertex of it, and how it went on from there: what `PathRecorder`
-  /// makes whole paths of.
+  /// Start of a subpath, each of its vertices, and its continuation, for `PathRecorder`.
   virtual void started(Stream /*stream*/, const Endpoint& /*endpoint*/,
                        const EndpointPoint& /*point*/) {}
   /// `hit` is null for a medium vertex.
@@ -187,7 +186,7 @@ class PathSampler {
                              const WeightOf& weight_of);
   /// Decides about a connection that is made less than once on average.
   static bool is_tried(double count, const Pair& pair, SampleSource& source);
-  /// Russian roulette of weak connections: what to multiply the survivors by, 0 for the others.
+  /// Russian roulette of weak connections: weight of the survivors, 0 for the others.
   static float cull(const Spectrum& contribution, float worth, const Pair& pair,
                     SampleSource& source);
 

@@ -21,7 +21,7 @@ bool is_passed(const Hit& hit, const Ray& ray) {
 
 bool adds_edge(const Hit& hit) { return hit.cut_away || hit.material->adds_edge; }
 
-/// `depth` of what is crossed (Beer–Lambert).
+/// Multiplies by the transmittance of `depth` (Beer–Lambert).
 void cross_depth(const Medium& medium, const Spectrum& depth, Segment& segment) {
   segment.transmittance *= exp(depth * -1.F);
   if (medium.scatters()) segment.scattering_depth += depth;
@@ -130,7 +130,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium, cons
     if (!found || !is_passed(hit, ray)) break;
     if (adds_edge(hit)) {
       ++end.segment.counted_interfaces;
-      // The camera sees lights beyond what is a vertex of its path.
+      // The camera sees lights beyond a vertex of its path.
       ray.passes_lights = false;
     }
     medium = medium_beyond(hit, ray.direction, medium);
@@ -179,7 +179,7 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
     if (!is_passed(*hit, ray)) return std::nullopt;
     passed_light = passed_light || !(hit->cut_away || hit->is_interface());
     if (adds_edge(*hit)) {
-      // The camera sees lights beyond what is a vertex of its path.
+      // The camera sees lights beyond a vertex of its path.
       if (heading == Heading::AwayFromCamera) {
         ray.passes_lights = false;
       } else if (passed_light) {
@@ -191,8 +191,7 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
     medium = medium_beyond(*hit, ray.direction, medium);
     const Vec3 next = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);
     if (bounded) {
-      // Aimed anew, or roundings would add up and the ray could hit what it was to stop in front
-      // of.
+      // Aimed anew, or roundings would add up and the ray could hit the surface of its target.
       const Vec3 left = target - next;
       const float distance = length(left);
       if (dot(left, ray.direction) <= 0.F || distance == 0.F) return segment;

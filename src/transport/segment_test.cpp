@@ -56,7 +56,7 @@ TEST(Segments, RaysThatCannotBeTracedAreLostAndCounted) {
   }
 }
 
-/// Two numbers, whatever they are asked for.
+/// Two numbers, for any address.
 struct TwoNumbers final : SampleSource {
   explicit TwoNumbers(const Vec2& n) : numbers(n) {}
   float get(SampleAddress address) override {

@@ -129,7 +129,7 @@ std::string_view name_of(TechniqueClass kind) {
 
 TechniqueSet::TechniqueSet(const ByTechniqueClass<double>& counts, std::vector<Rule> rules)
     : counts_(counts), rules_(std::move(rules)) {
-  // Exact pairs say more than pairs with a wildcard, whatever their order.
+  // Exact pairs take precedence over pairs with a wildcard, in any order.
   std::stable_partition(rules_.begin(), rules_.end(),
                         [](const Rule& rule) { return rule.s != kAny && rule.t != kAny; });
   for (std::size_t i = 0; i < any_.size(); ++i) any_[i] = counts_[i] > 0.0;

@@ -56,9 +56,9 @@ class TechniqueSet {
   };
   static constexpr double kMaxNextEventCount = 32.0;
 
-  /// Reads what users write: names of sets (pt, lt, ibpt, bdpt) and of classes (implicit, explicit,
-  /// light, inner) and pairs `(s,t)` or `(s,*)`, separated by commas, each with an optional count
-  /// `*n`. Raises UsageError.
+  /// Reads the user's syntax: names of sets (pt, lt, ibpt, bdpt) and of classes (implicit,
+  /// explicit, light, inner) and pairs `(s,t)` or `(s,*)`, separated by commas, each with an
+  /// optional count `*n`. Raises UsageError.
   static TechniqueSet parse(const std::string& text);
 
   /// True if both are written alike; sets written differently may still be the same.
