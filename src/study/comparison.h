@@ -7,7 +7,7 @@
 #include "study/loaded_picture.h"
 #include "study/metric.h"
 
-/// Pictures against a reference: what `ajar compare` prints and reports show.
+/// Pictures against a reference, as `ajar compare` prints and reports show them.
 namespace ajar::study {
 
 struct ComparedPicture {

@@ -6,7 +6,7 @@
 
 namespace ajar::study {
 
-/// The table that `ajar compare` prints, what its columns mean, and the tests for bias.
+/// The table that `ajar compare` prints, the legend of its columns, and the tests for bias.
 std::string to_text(const Comparison& comparison);
 
 /// The comparison as one object, keys as in docs/compare.md. Missing values are null; so is

@@ -252,7 +252,7 @@ std::string folder_of(const std::string& name) {
   return folder;
 }
 
-/// Names become folders; what looks the same there would mix up files.
+/// Names become folders; equal folders would mix up files.
 void check_unique(const JsonNode& node, const std::vector<std::string>& names) {
   std::set<std::string> seen;
   for (const std::string& name : names) {

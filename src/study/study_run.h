@@ -8,7 +8,7 @@
 
 #include "study/study_plan.h"
 
-/// The single renders of a study and what is kept of each.
+/// The single renders of a study and their records.
 namespace ajar::study {
 
 /// One render: of a scene by a method with a seed and a budget, or of a reference.
@@ -29,7 +29,7 @@ struct StudyRun {
 };
 
 /// The runs in the order in which they are made: references first, then, for each scene and budget,
-/// seed by seed all methods in turn, so that what happens to the machine happens to all of them.
+/// seed by seed all methods in turn, so that disturbances of the machine affect all of them.
 /// `scene_hashes`: of the content, one per scene. `out`: absolute.
 std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::string>& scene_hashes,
                              const std::filesystem::path& out);
@@ -41,7 +41,7 @@ inline constexpr double kFairCpuShare = 0.75;
 struct RunRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws nothing
   nlohmann::ordered_json json;
 
-  /// Wall clock of `prepare` and `render`, seconds: what a method needs once a scene is loaded.
+  /// Wall clock of `prepare` and `render`, seconds: the time of a method once a scene is loaded.
   double seconds() const;
   std::optional<double> metric(const std::string& name) const;
   std::optional<double> number(const std::string& statistic) const;

@@ -57,7 +57,7 @@ class Runner {
       options_.report(fmt::format("{} of {} renders are there already", done, runs_.size()));
     }
     warn_of_other_builds();
-    // After a signal nothing more is rendered, but what is finished belongs into the results.
+    // After a signal nothing more is rendered, but finished runs belong into the results.
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       if (interrupt_count() > 0) result_.interrupted = true;
       const bool is_new = !records_[i];
@@ -78,7 +78,7 @@ class Runner {
     return run.stem.string() + suffix;
   }
 
-  /// Once more if others had a good part of the processors meanwhile; what comes of that counts.
+  /// Once more if others had a good part of the processors meanwhile; the second run counts.
   void render_undisturbed(std::size_t i) {
     render(i, 1);
     const std::optional<RunRecord>& record = records_[i];
@@ -100,7 +100,7 @@ class Runner {
     }
     // A process of its own, not a `Render` in this one: its memory and processor time are its own
     // then, no render finds caches and threads warm from another, one that crashes or runs out of
-    // memory ends alone, and what is measured is what a user of the program gets.
+    // memory ends alone, and the measurement is that of the program.
     ChildCommand command{options_.program, {"render"}, options_.folder.string(), file(run, ".log")};
     const std::string& scene = plan_.scenes[run.scene].scene;
     command.arguments.push_back(scene.starts_with("builtin:") ? scene

@@ -8,7 +8,7 @@
 
 namespace ajar::study {
 
-/// A run and what became of it.
+/// A run and its result.
 struct FinishedRun {  // NOLINT(bugprone-exception-escape): moving JSON throws nothing
   StudyRun run;
   RunRecord record;
@@ -30,13 +30,13 @@ struct StudyOptions {
   std::filesystem::path folder;  ///< folder of the study file: renders run there
   std::filesystem::path out;     ///< absolute
   std::string program;           ///< the `ajar` that renders
-  /// A line for people: what is done and what is left.
+  /// A line for people: finished and remaining runs.
   std::function<void(const std::string&)> report;
 };
 
-/// Makes what is missing of a study, one render after the other, each in a process of its own, and
+/// Makes the missing runs of a study, one render after the other, each in a process of its own, and
 /// measures every picture against its reference. A run that fails is noted and the others go on;
-/// after a signal the results so far are returned. Raises Error for what concerns the whole study:
+/// after a signal the results so far are returned. Raises Error for errors of the whole study:
 /// scenes that cannot be used, references that cannot be read or do not fit, a full disk.
 StudyResult run_study(const StudyPlan& plan, const StudyOptions& options);
 

@@ -42,7 +42,7 @@ std::optional<double> acceptance(const Runs& runs, const char* kind) {
   return values.empty() ? std::nullopt : std::optional(mean_of(values).mean);
 }
 
-/// Acceptance of all mutations, whatever their kind.
+/// Acceptance of all mutations, of any kind.
 std::optional<double> whole_acceptance(const Runs& runs) {
   const std::vector<double> values = values_of(runs, [](const RunRecord& record) {
     const auto& statistics = record.json.at("statistics");

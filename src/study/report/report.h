@@ -52,8 +52,8 @@ struct ReportTable {
   std::vector<std::vector<std::string>> rows;  ///< each as long as the header
 };
 
-/// All that a report shows. Texts are UTF-8 and are shown literally, whatever they contain; bytes
-/// that are no UTF-8 show as U+FFFD.
+/// Content of a report. Texts are UTF-8 and are shown literally, whatever they contain; bytes that
+/// are no UTF-8 show as U+FFFD.
 struct Report {
   std::string title;
   std::vector<ReportImage> images;
