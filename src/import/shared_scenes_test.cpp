@@ -103,7 +103,8 @@ TEST(SharedScenes, LoadInEitherVersion) {
   EXPECT_GT(loaded, 0);
 }
 
-/// Without what the two versions of a scene cannot say alike: coats, and the name of the picture.
+/// Without the parts that differ between the two versions of a scene: coats, and the name of the
+/// picture.
 desc::SceneDesc without_version(desc::SceneDesc scene) {
   for (desc::Material& material : scene.materials) {
     if (material.node.is("coated_diffuse")) material.node = desc::material_node("mirror");

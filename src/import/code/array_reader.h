@@ -21,8 +21,8 @@ class ArrayReader {
   desc::MeshPointer mesh(const Json& json, const JsonPlace& place) const;
   /// {"control_points": 0, "widths": 1, "normals": 2}.
   desc::CurvesPointer curves(const Json& json, const JsonPlace& place) const;
-  /// {"image": 0}: rows × columns × 1 or 3, of bytes as they are shown or linear floats. The name
-  /// of an embedded file, which depends on nothing but what is in it.
+  /// {"image": 0}: rows × columns × 1 or 3, of display-encoded bytes or linear floats. The name of
+  /// an embedded file, which depends on its content alone.
   std::string image(const Json& json, const JsonPlace& place) const;
 
  private:

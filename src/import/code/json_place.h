@@ -14,8 +14,8 @@ using Json = nlohmann::ordered_json;
 /// input has: readers may be recursive.
 Json parse_json(std::string_view text);
 
-/// A part of a description: an object, with the place in the program that it came from, and what it
-/// is called in messages.
+/// A part of a description: an object, with the place in the program that it came from, and its
+/// name in messages.
 class JsonPlace {
  public:
   /// Raises SceneError if this is no object or has another member than `known` (and "where").
@@ -28,7 +28,7 @@ class JsonPlace {
 
   /// Null if there is none, or if it is null.
   const Json* find(const char* name) const;
-  /// Raises SceneError for what is of another type; without the member, the default.
+  /// Raises SceneError for other types; without the member, the default.
   std::string text(const char* name, std::string otherwise = {}) const;
   bool flag(const char* name, bool otherwise) const;
   /// Finite.

@@ -18,7 +18,7 @@ using code::Json;
 using code::JsonPlace;
 using desc::ModelKind;
 
-/// Carries the changes out, part by part; what is added comes after what is there.
+/// Carries the changes out, part by part; additions come after existing parts.
 class Changer {
  public:
   Changer(desc::SceneDesc& scene, std::span<const NumberArray> arrays, Warnings& warnings)
@@ -312,7 +312,7 @@ class Changer {
     code::set_parameters(kind, node, place, arrays_, references_);
   }
 
-  /// Nothing refers to itself, over whatever others.
+  /// Cycles of references are refused.
   template <typename Reference, typename Thing>
   static void check_order(const JsonPlace& place, const Thing& thing,
                           const std::vector<Thing>& things) {

@@ -24,7 +24,7 @@ struct NumberArray {
   std::size_t size() const;
 };
 
-/// `scene` with what `changes` adds to it, sets and edits. Places in messages are those that the
+/// `scene` with additions, settings and edits of `changes`. Places in messages are those that the
 /// changes give ("where": a file and a line). Raises SceneError.
 desc::SceneDesc changed_scene(desc::SceneDesc scene, std::string_view changes,
                               std::span<const NumberArray> arrays, Warnings& warnings);

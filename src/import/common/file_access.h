@@ -22,7 +22,7 @@ class FileAccess {
   /// Resolves names of untrusted files: raises IoError, with the reason, for names that lead out of
   /// the folder of the scene, by themselves or by links.
   std::string resolve_inside(const std::string& name, const SourceLocation& where = {});
-  /// Reads what `resolve` returned. Raises IoError.
+  /// Reads a file resolved by `resolve`. Raises IoError.
   FileBytes load(const std::string& resolved) const;
   /// Loads text, in UTF-8 (`in_utf8`).
   FileBytes load_text(const std::string& resolved) const { return in_utf8(load(resolved)); }
@@ -34,7 +34,7 @@ class FileAccess {
 
  private:
   std::string path_of(const std::string& name) const;
-  /// `name`, or what the file is called that alone can be meant.
+  /// `name`, or the name of the only file that matches it.
   std::string meant_by(const std::string& name) const;
 
   std::string base_folder_;

@@ -24,7 +24,7 @@ std::size_t end_of_comment(std::string_view text, std::size_t i) {
   return end == text.npos ? i : end + 2;
 }
 
-/// The text with spaces in place of what JSON has not, so that all else stays where it is.
+/// The text with spaces in place of the extensions of JSON, so that all else stays where it is.
 std::string without_extras(std::string_view text) {
   std::string result(text);
   char last = '\0';  // last character that is neither space nor comment
@@ -51,7 +51,7 @@ std::string without_extras(std::string_view text) {
 
 }  // namespace
 
-/// Makes the tree of what the parser finds.
+/// Makes the tree from the parser's events.
 class LocatedJson::Builder : public JsonHandler {
  public:
   Builder(std::string_view text, const std::string& name)

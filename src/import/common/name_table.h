@@ -17,7 +17,7 @@ struct ParameterName {
   std::vector<std::string_view> theirs;
   /// The format's default, if it is not ours.
   std::string_view fallback = {};
-  /// If ours is a choice and theirs a flag: what false and true mean.
+  /// Values for false and true if ours is a choice and theirs a flag.
   std::array<std::string_view, 2> words = {};
   /// Fallback of a parameter that may be left out, where the format has a default: another of ours,
   /// of which the value is written then.

@@ -10,11 +10,11 @@ enum class Passing { Counted, Uncounted };
 /// edges: longer ones than 32 carry next to no light.
 inline bool must_count_cut_outs(int max_depth) { return max_depth <= 32; }
 
-/// Lets all light pass straight on: what is no surface, where it is a part of a mix.
+/// Transmits all light straight on: an interface as a part of a mix.
 desc::Node clear_material(Passing passing = Passing::Counted);
 
-/// The material `id` as a part of a mix: what is nothing but a boundary between media would let no
-/// light pass there, and is a clear material instead.
+/// The material `id` as a part of a mix: an interface between media would transmit no light there,
+/// and is replaced by a clear material.
 desc::MaterialId part_of_mix(desc::SceneDesc& scene, desc::MaterialId id,
                              Passing passing = Passing::Counted);
 

@@ -66,8 +66,8 @@ std::array<Vec3d, 8> corners_of(const Imath::Box3d& box) {
   return corners;
 }
 
-/// The boxes of what has one, each in its own space and with its place. The scene must
-/// not change meanwhile.
+/// The boxes of shapes that have one, each in its own space and with its place. The scene must not
+/// change meanwhile.
 class PlacedBoxes {
  public:
   explicit PlacedBoxes(const desc::SceneDesc& scene) {

@@ -16,8 +16,8 @@ struct SceneParts {
   bool has_lamps = true;
 };
 
-/// Adds what is missing. With neither camera nor lights, all of it: surfaces that shine do not make
-/// a studio. With a camera alone, lights, unless a surface is a lamp. With lights alone, a camera.
+/// Adds missing parts. With neither camera nor lights, all of it: emissive surfaces do not make a
+/// studio. With a camera alone, lights, unless a surface is a lamp. With lights alone, a camera.
 void add_studio(desc::SceneDesc& scene, const SceneParts& parts, UpAxis up);
 
 /// Adds a light grey material with a soft gloss, for surfaces that have none.

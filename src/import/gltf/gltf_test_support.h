@@ -24,7 +24,7 @@ class TestFile {
  public:
   Json json = Json::parse(R"({"asset": {"version": "2.0"}})");
 
-  /// Each returns the number of what it adds.
+  /// Each returns the index of the added element.
   std::size_t add_view(const std::string& bytes, std::size_t stride = 0);
   std::size_t add_accessor(const std::string& bytes, int component_type, const char* type,
                            std::size_t count, std::size_t stride = 0);

@@ -23,8 +23,8 @@ class JsonPlaces {
     std::string name;
   };
 
-  /// Where the value at a JSON pointer (RFC 6901) begins; for numbers in arrays, where the array
-  /// does; for what is not there, what is nearest around it.
+  /// Place of the value at a JSON pointer (RFC 6901); for numbers in arrays, of the array; for
+  /// missing values, of the nearest around.
   Place at(std::string_view pointer) const;
   /// The first hundred or fewer.
   const std::vector<Repeated>& repeated() const { return repeated_; }

@@ -37,11 +37,11 @@ class Poses {
   Context& context_;
   Accessors& accessors_;
   std::map<std::string, Mat4> places_;                  ///< transforms of nodes, by JSON pointer
-  std::map<std::string, std::vector<double>> weights_;  ///< by JSON pointer of what has them
+  std::map<std::string, std::vector<double>> weights_;  ///< by JSON pointer of their owner
   std::map<std::string, std::vector<Mat4>> skins_;      ///< by JSON pointer
 };
 
-/// Moves the vertices of `mesh`, which is what the attributes of `primitive` say.
+/// Moves the vertices of `mesh`, which has the attributes of `primitive`.
 void apply(const Pose& pose, const Element& primitive, Context& context, Accessors& accessors,
            desc::Mesh& mesh);
 

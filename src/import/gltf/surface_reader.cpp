@@ -199,7 +199,7 @@ desc::MaterialId SurfaceReader::with_opacity(desc::MaterialId visible) {
       context_.scene, {.name = material_.text_or("name", ""), .where = material_.where()}, visible,
       alpha_);
   surface_.alpha = partly.alpha;
-  // A blend is of all that is seen, of what shines, too.
+  // A blend includes the emission.
   if (surface_.emission) {
     desc::Node& emission = surface_.emission->node;
     const auto* share = std::get_if<float>(&alpha_);

@@ -15,7 +15,7 @@ namespace ajar {
 
 /// Conversion of a file's bytes to a mesh.
 struct MeshRecipe {
-  /// Raises SceneError. `name` is what the scene calls the file.
+  /// Raises SceneError. `name` is the scene's name of the file.
   std::function<desc::Mesh(std::string_view bytes, const std::string& name)> read = read_ply;
   /// Done to the mesh once it is known to be valid; may be empty.
   std::function<void(desc::Mesh&)> finish = {};

@@ -37,7 +37,7 @@ struct ObjPart {
 /// Events while a file is read, with their places; none may be empty.
 struct ObjEvents {
   using Event = std::function<void(const SourceLocation&, std::string_view)>;
-  Event on_library;  ///< with what `mtllib` says
+  Event on_library;  ///< with the value of `mtllib`
   Event on_unread;   ///< with the first word of a line that is not read, the first time
   Event on_numbers;  ///< first vertex with numbers of unknown meaning; with these
 };

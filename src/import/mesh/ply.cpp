@@ -180,7 +180,7 @@ class PlyReader {
     for (const PlyProperty& property : element.properties) {
       if (slot_of(property.name) == kFirstColor) full = full_color(property.type);
     }
-    // Floats are shares, or what bytes are: none that is a share is that large.
+    // Floats are shares, or values of bytes: no share is that large.
     constexpr float kMostOfShares = 2.F;
     const bool are_bytes = full == 1.F && std::ranges::any_of(colors_, [](const Vec3& color) {
                              return std::max({color.x, color.y, color.z}) > kMostOfShares;

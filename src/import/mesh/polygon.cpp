@@ -26,7 +26,7 @@ Vec3d mean_normal(std::span<const Vec3> corners) {
 }
 
 /// As seen against the normal, so that they are counterclockwise; distances along its largest axis
-/// are left out, which keeps what is inside of what.
+/// are left out, which preserves containment.
 std::vector<Point> projected(std::span<const Vec3> corners, const Vec3d& normal) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {

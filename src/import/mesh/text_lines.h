@@ -105,7 +105,7 @@ class LineWords {
   std::string_view rest_;
 };
 
-/// The number that `word` is; nothing if it is none, or beyond what a double holds.
+/// The number in `word`; nothing if it is none, or beyond the range of doubles.
 inline std::optional<float> number_in(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0.0;

@@ -33,8 +33,8 @@ class Arguments {
   std::optional<double> number(std::string_view name);
   std::optional<long long> integer(std::string_view name);
   std::optional<std::string> text(std::string_view name);
-  /// A colour or a number, which is grey; or a texture that is the same everywhere.
-  /// `expected` is what a warning calls it.
+  /// A colour or a number, which is grey; or a constant texture. `expected` is its name in
+  /// warnings.
   std::optional<desc::Rgb> color(std::string_view name, const char* expected = "a colour");
   std::optional<Vec3d> vector(std::string_view name);
   std::optional<Mat4> transform(std::string_view name);
@@ -63,7 +63,7 @@ class Arguments {
   /// The first child of this tag, with a warning if there are more; null if there is none.
   const Element* only_child(std::string_view tag);
 
-  /// Marks what is known and has no meaning for us.
+  /// Marks properties that are known and have no meaning for us.
   void accept(std::initializer_list<std::string_view> names);
   void accept_all();
 

@@ -1,4 +1,4 @@
-// Nothing that a scene says is dropped in silence, whatever the plugin that it is said to.
+// No property of a scene is dropped in silence, for any plugin.
 #include "import/mitsuba/import_test_support.h"
 #include "import/mitsuba/plugin_types.h"
 

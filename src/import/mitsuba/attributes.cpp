@@ -91,7 +91,7 @@ void check_names(const XmlFile& file, const pugi::xml_node& node, const Names& n
   }
 }
 
-/// Warns of attributes that say what another one says, which counts.
+/// Warns of attributes that duplicate another one, which counts.
 void check_rivals(const XmlFile& file, const pugi::xml_node& node, const Names& names,
                   Warnings& warnings) {
   const auto check = [&](const char* counts, std::initializer_list<const char*> others) {

@@ -39,7 +39,7 @@ float index_of_coat(const MaterialInputs& in, std::string_view usual) {
 }
 
 /// Transmission of the facets of a rough coat: a table of light that meets one of them, in all
-/// versions. In 0.x what the table lacks is turned back inside; since 2 it is lost there, too.
+/// versions. The rest is reflected back inside in 0.x; since 2 it is lost there, too.
 std::string transmission_of_rough_coat(const MaterialInputs& in) {
   return in.context().document.major_version == 0 ? "single" : "lossy_sum";
 }

@@ -33,7 +33,7 @@ const IntegratorName* find_integrator(std::string_view type) {
   return found == kIntegrators.end() ? nullptr : &*found;
 }
 
-/// Says what stands in for one that is unknown, and reads the one in it, which it watches over.
+/// Warns of the replacement of an unknown one, and reads its nested one.
 const Element& read_unknown(Arguments& arguments) {
   Context& context = arguments.context();
   const Element& element = arguments.element();

@@ -104,7 +104,7 @@ std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in, bool 
 /// The material in this one with this relief.
 Surface with_relief(const MaterialInputs& in, desc::TextureId bump,
                     const desc::NormalMap& normal_map) {
-  // False is what versions without these words do.
+  // False is the behaviour of versions without these words.
   for (const char* name : {"use_shadowing_function", "flip_invalid_normals"}) {
     if (!in.arguments.flag(name, false)) continue;
     in.context().warnings.add(kShadowing, in.where(),

@@ -15,7 +15,7 @@ namespace ajar::mitsuba {
 /// parameters in place, reads properties, and collects ids. Knows no plugin.
 class Parser {
  public:
-  /// `given` takes precedence over what files define by `<default>`.
+  /// `given` takes precedence over `<default>` in files.
   Parser(SearchPath& files, Warnings& warnings, SceneDefinitions given)
       : files_(files), warnings_(warnings), definitions_(std::move(given)) {}
 

@@ -12,7 +12,7 @@ struct Roughness {
   std::optional<desc::Value> alpha_v;  ///< if it is another one
   std::string distribution;            ///< "ggx" or "beckmann"
 
-  /// Sets "roughness", and of "roughness_v", "distribution" and "masking" what the model has.
+  /// Sets "roughness", and "roughness_v", "distribution" and "masking" if the model has them.
   void set(desc::Node& node) const;
 };
 

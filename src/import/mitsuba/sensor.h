@@ -6,8 +6,8 @@
 
 namespace ajar::mitsuba {
 
-/// Sets camera, film and sampler of the scene from `<sensor>`. Raises SceneError for what makes no
-/// sense.
+/// Sets camera, film and sampler of the scene from `<sensor>`. Raises SceneError for invalid
+/// values.
 void read_sensor(Context& context, MediumTable& media, const Element& sensor);
 
 /// The camera of a scene without a sensor: it sees all from the side of −z.

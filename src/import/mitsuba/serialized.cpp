@@ -156,7 +156,7 @@ desc::Mesh read_serialized(std::string_view bytes, const std::string& name, long
   if ((flags & kHasUvs) != 0) mesh.uvs = body.take_vectors<Vec2>(vertices, 2, is_double);
   if ((flags & kHasColors) != 0) body.skip_vectors(vertices, 3, is_double);
   mesh.indices = take_triangles(body, triangles, vertices > 0xFFFFFFFFU);
-  // The flag 0x10 says that the mesh is faceted; what renders these files goes by the normals.
+  // The flag 0x10 marks a faceted mesh; renderers of these files go by the normals.
   return mesh;
 }
 

@@ -11,9 +11,9 @@
 namespace ajar::mitsuba {
 
 /// Conversion of a spectrum to a colour: as light, or as a reflectance in daylight (CIE D65).
-/// Mitsuba 3 sees all but emitters in daylight, so that what is even is grey; 0.x and 2 see all as
-/// light. A single number is grey, but an even spectrum as emitters of 2 and 3 have it. Source:
-/// `Properties::get_texture_impl`, `spectrum_list_to_srgb` of Mitsuba 3.
+/// Mitsuba 3 converts all but emitters in daylight, so that even spectra are grey; 0.x and 2
+/// convert all as light. A single number is grey, but an even spectrum as emitters of 2 and 3 have
+/// it. Source: `Properties::get_texture_impl`, `spectrum_list_to_srgb` of Mitsuba 3.
 enum class Seen { AsLight, InDaylight, Emitted };
 
 /// Parses "400:0.1, 500:0.5, 700:1": wavelengths in nm and values. Nothing if it is not that.

@@ -11,7 +11,7 @@ struct GivenView {
   std::string axis;  ///< its axis: "x", "y", "diagonal", "shorter" or "longer"
 };
 
-/// From "fov" and "fov_axis", or from "focal_length". Raises SceneError for what is no angle.
+/// From "fov" and "fov_axis", or from "focal_length". Raises SceneError for invalid angles.
 GivenView read_view(Arguments& arguments);
 
 }  // namespace ajar::mitsuba

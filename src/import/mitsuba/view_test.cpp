@@ -1,4 +1,4 @@
-// Lights, camera, film, and what a scene asks of the renderer.
+// Lights, camera, film, and render settings of a scene.
 #include <cmath>
 
 #include "import/mitsuba/import_test_support.h"
@@ -32,7 +32,7 @@ TEST(MitsubaView, CamerasAreNotMirrored) {
   const desc::SceneDesc scene = seen_by(
       "<sensor type=\"perspective\"><transform name=\"to_world\"><lookat origin=\"0, 0, 5\" "
       "target=\"0, 0, 0\" up=\"0, 1, 0\"/></transform></sensor>");
-  // In Mitsuba's right-handed world, who looks along -z with +y up has +x to the right.
+  // Looking along -z with +y up, +x is to the right in Mitsuba's right-handed world.
   const Mat4& m = scene.camera.to_world;
   expect_near(transform_point(m, {0, 0, 0}), {0, 0, 5});
   expect_near(transform_vector(m, {0, 0, 1}), {0, 0, -1});

@@ -24,7 +24,7 @@ std::optional<VolumeValue> find_density(Arguments& medium, std::string_view name
 VolumeValue constant_density(const Arguments& medium, const desc::Rgb& color,
                              const Mat4& cube = Mat4());
 
-/// The albedo of a medium, in the same way. The default stands in for what is not supported.
+/// The albedo of a medium, in the same way. The default replaces unsupported volumes.
 std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name);
 
 /// A coefficient that may not vary in space: the mean of a volume that does stands in, with a

@@ -125,7 +125,7 @@ std::string in_full(const ImageWords& words) {
     const Form* form = form_of(option.name);
     if (form == nullptr || !form->is_taken || option.values.empty()) continue;
     if (option.name == "-imfchan") {
-      // "m" is what tinyobjloader has where nothing is said, too.
+      // "m" is tinyobjloader's default, too.
       const std::string& channel = option.values.front();
       text += option.name + (channel == "m" ? " a " : " " + channel + " ");
       continue;

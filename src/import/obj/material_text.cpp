@@ -23,7 +23,7 @@ bool contains(const Names& names, std::string_view name) {
 
 constexpr std::string_view kColors[] = {"Ka", "Kd", "Ks", "Ke", "Kt", "Tf"};
 constexpr std::string_view kShares[] = {"Kd", "Ks", "Kt", "Tf"};
-/// Words of what is seen, unless it is black.
+/// Keywords of visible parts, unless they are black.
 constexpr std::string_view kVisible[] = {"Kd", "map_Kd", "Ks", "map_Ks", "Ke", "map_Ke"};
 constexpr std::string_view kNumbers[] = {"Ni", "Ns", "d", "Tr", "Pr", "Pm", "illum"};
 

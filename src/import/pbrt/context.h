@@ -36,7 +36,7 @@ void report_unknown(const Context& context, const SourceLocation& where, std::st
                     std::string_view name, const std::vector<std::string>& valid,
                     const WarningKind& kind, std::string_view stand_in);
 
-/// Warns that the `what` at `where` has the name of another, whose place it takes from here on.
+/// Warns that the `what` at `where` has the name of another, which it replaces from here on.
 void warn_of_same_name(const Context& context, const SourceLocation& where, std::string_view what,
                        std::string_view name);
 

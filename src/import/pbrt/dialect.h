@@ -9,7 +9,7 @@
 
 namespace ajar::pbrt {
 
-/// pbrt-v3 and pbrt-v4 share their extension and most of their words, but not what the words mean.
+/// pbrt-v3 and pbrt-v4 share their extension and most of their words, but not the meanings.
 enum class Dialect { V3, V4 };
 std::string_view name_of(Dialect dialect);  ///< "pbrt-v3"
 

@@ -21,8 +21,8 @@ struct Token {
 };
 
 /// Cuts a pbrt file into words, quoted strings and brackets; skips white space and # comments. An
-/// included file is followed by the rest of the one that includes it, as pbrt has it: what begins
-/// in one may end in the other.
+/// included file is followed by the rest of the one that includes it, as pbrt has it: blocks may
+/// span both.
 class Lexer {
  public:
   /// `text` must outlive the lexer, and so must `after`, which goes on where it ends.

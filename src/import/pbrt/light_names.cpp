@@ -62,7 +62,7 @@ const std::vector<ModelName>& emission_names(Dialect dialect) {
   static const std::vector<ModelName> kNamesOfV4 = {
       {"diffuse", "area", {{"radiance", {"L"}}, {"two_sided", {"twosided"}}, {"scale", {}}}}};
   if (dialect == Dialect::V4) return kNamesOfV4;
-  // "area" is what older files say.
+  // "area" is the name in older files.
   static const std::vector<ParameterName> kArea = {{"radiance", {"L"}},
                                                    {"two_sided", {"twosided"}}};
   static const std::vector<ModelName> kNames = {{"diffuse", "area", kArea},

@@ -26,7 +26,7 @@ constexpr WarningKind kTwoMetals{
 constexpr WarningKind kNoDisneySubsurface{
     Effect::Surface, "disney materials have subsurface scattering, which is not supported"};
 
-/// Warns of what pbrt's disney material has and ours has not.
+/// Warns of unsupported parameters of pbrt's disney material.
 void check_subsurface(const SourceLocation& where, const TextureParameters& p) {
   const std::optional<desc::Value> distance = p.find_spectrum("scatterdistance");
   if (!distance || *distance == desc::Value(Vec3(0.F))) return;

@@ -231,7 +231,7 @@ TEST(PbrtMaterials, BelowTheSurfaceLightIsTintedWhereItEnters) {
           .node;
   EXPECT_EQ(product.texture("first"), 0);
   EXPECT_EQ(product.color("second"), desc::Rgb(0.1F, 0.2F, 0.3F));
-  // A preset has what no coefficient says.
+  // A preset fills in missing coefficients.
   const auto color = [&](const std::string& parameters) {
     return stand_in("\"subsurface\" \"string name\" \"Ketchup\" " + parameters)
         .materials[0]

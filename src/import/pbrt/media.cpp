@@ -72,7 +72,7 @@ std::optional<desc::Rgb> constant_in(const std::vector<desc::Rgb>& factors) {
   return is_constant ? std::optional(factors.front()) : std::nullopt;
 }
 
-/// A grid, and where it is; of one of colours, what a coefficient is that does not vary.
+/// A grid, and its place; with the constant coefficient of a grid of colours.
 struct PlacedGrid {
   desc::DensityGrid grid;
   Mat4 to_box;
@@ -197,7 +197,7 @@ void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
   if (glows) warn_of_emission(context, where, name);
 }
 
-/// pbrt-v3 takes from a preset what no parameter says, pbrt-v4 takes all of it.
+/// pbrt-v3 takes missing parameters from a preset, pbrt-v4 takes all of it.
 void warn_beside_preset(Context& context, const Parameter* coefficient) {
   if (coefficient == nullptr) return;
   context.warnings.add(kBesidePreset, coefficient->where,

@@ -26,7 +26,7 @@ constexpr std::string_view kDamaged = "the file is damaged or ends early";
   throw SceneError(where, std::string(message));
 }
 
-/// Takes values off the beginning of what is left of a file.
+/// Reads values from the beginning of the rest of a file.
 class Cursor {
  public:
   Cursor(std::string_view bytes, const SourceLocation& where) : bytes_(bytes), where_(where) {}
@@ -169,7 +169,7 @@ class TreeReader {
     return place + distance;
   }
 
-  /// `Number`: what NanoVDB calls the type of the build, which is also that of leaves.
+  /// `Number`: NanoVDB's type of the build, which is also that of leaves.
   template <typename Number>
   VoxelGrid read_tree(const nanovdb::GridData& grid) {
     using Root = nanovdb::NanoRoot<Number>;

@@ -54,7 +54,7 @@ struct Parameter {
 /// Shared, because one may belong to many directives and be large.
 using ParameterPointer = std::shared_ptr<const Parameter>;
 
-/// One that an `Attribute` directive gives those after it, and what became of it.
+/// A parameter that an `Attribute` directive gives those after it, and its use.
 struct AttributeParameter {
   ParameterPointer parameter;
   bool was_offered = false;
@@ -65,8 +65,8 @@ using AttributePointer = std::shared_ptr<AttributeParameter>;
 /// Warns of those that were offered, and that no directive ever asked for.
 void report_unused(std::span<const AttributePointer> attributes, Warnings& warnings);
 
-/// The parameters of one directive. Every lookup remembers its name: what was never asked for is
-/// reported by `report_unused`, with the nearest name that was.
+/// The parameters of one directive. Every lookup remembers its name: unused ones are reported by
+/// `report_unused`, with the nearest name that was looked up.
 class ParameterList {
  public:
   void add(Parameter parameter, Warnings& warnings);

@@ -39,7 +39,8 @@ class Parser {
   bool thing_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   /// Directives of pbrt-v4 alone.
   bool directive_of_v4(Lexer& lexer, const Token& token, const SourceLocation& where);
-  /// Another file, and what it is named by. `goes_on`: whether a directive of its may end here.
+  /// Another file, and the token of its name. `goes_on`: whether one of its directives may end
+  /// here.
   void include(Lexer& lexer, const SourceLocation& where, bool goes_on);
   /// A file that another one names, with its circles and limits checked. Raises SceneError.
   struct OpenFile {
@@ -51,7 +52,7 @@ class Parser {
   void warn_of_missing(const std::string& included, const SourceLocation& where);
   OpenFile open(const std::string& included, const SourceLocation& where);
   bool is_missing(const std::string& included) const;
-  /// Skips what belongs to a directive that pbrt-v4 does not have.
+  /// Skips the parameters of a directive that pbrt-v4 does not have.
   void skip_directive(Lexer& lexer);
 
   std::string name(Lexer& lexer, const Token& directive);

@@ -267,7 +267,7 @@ TEST(PbrtWriter, WritesEmbeddedFilesBeside) {
   EXPECT_EQ(fs::path(file).parent_path(), folder.path() / "room_images");
   EXPECT_EQ(fs::path(file).extension(), ".png");
   EXPECT_EQ(read_file(file).view(), "the bytes");
-  // Others stay as they are, whatever the scene is now.
+  // Others stay as they are, whatever the current scene.
   scene.embedded_files["room.abc/oak.png"] = std::make_shared<const std::string>("other bytes");
   write_pbrt(scene, out.string());
   EXPECT_EQ(read_file(file).view(), "the bytes");

@@ -25,7 +25,7 @@
 namespace ajar::pbrt {
 
 /// Turns directives, one call each and in the order of the file, into a scene description: pbrt's
-/// graphics state. All calls raise SceneError at `where` for what cannot be used.
+/// graphics state. All calls raise SceneError at `where` for invalid ones.
 class SceneBuilder {
  public:
   SceneBuilder(FileAccess& files, std::string source, const DialectChoice& choice,

@@ -9,8 +9,8 @@
 
 namespace ajar::pbrt {
 
-/// Names that are forgotten, or mean again what they meant before, at the end of the scope they
-/// were defined in. Entering and leaving a scope costs only what was defined in it.
+/// Names that end, or regain their earlier meaning, at the end of the scope they were defined in.
+/// Entering and leaving a scope costs only its own definitions.
 template <typename Value>
 class ScopedNames {
  public:

@@ -24,8 +24,8 @@ inline constexpr std::array kSpectrumKinds = {ParameterKind::Rgb, ParameterKind:
 /// spectra keep nothing but their chromaticity, and an ideal film with its default exposure shows
 /// rgb (r, g, b) as just that.
 ///
-/// Other: reflectances, indices of refraction, scattering. A spectrum is what daylight shows of it:
-/// one that is constant is grey.
+/// Other: reflectances, indices of refraction, scattering. Spectra are converted in daylight:
+/// constant ones are grey.
 enum class ColorRole { Light, Other };
 
 /// Colours of parameters, whichever way they are written, as linear RGB.

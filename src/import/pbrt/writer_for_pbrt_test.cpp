@@ -333,7 +333,7 @@ TEST(WriterForPbrt, UnfoldsSquareSkies) {
       ASSERT_EQ(seen[3 * (64 * y + x)], y < 16 ? 1.F : 0.F) << x << ' ' << y;
     }
   }
-  // A white half alone would light what faces it by π, times the radiance.
+  // A white half alone would light surfaces toward it by π, times the radiance.
   const std::size_t at = result.text.find("\"rgb L\" [ ");
   ASSERT_NE(at, std::string::npos);
   EXPECT_NEAR(std::stof(result.text.substr(at + 10)), 2.F * 6.F, 0.2F);

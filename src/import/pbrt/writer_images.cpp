@@ -75,7 +75,7 @@ std::string key_of(const desc::Node& texture) {
                      texture.text("file"));
 }
 
-/// `channel` of a texture, with what depends on the image settled.
+/// `channel` of a texture, resolved for the image.
 std::string settled_channel(const std::string& channel, const ImageInput& input,
                             const std::vector<float>& values) {
   const ColorChannels& colors = input.colors();
@@ -100,7 +100,7 @@ std::optional<LinearImage> ImageWriter::read_linear(const desc::Node& node,
     if (embedded != scene_.embedded_files.end()) memory.emplace(*embedded->second);
     ImageInput input(memory ? memory->path() : image, true);
     const ImageHeader& header = input.header();
-    // The texels themselves, and what is made of them.
+    // The texels themselves, and their conversion.
     const std::vector<float> values =
         input.read<float>(header.channels, 3 * header.pixels() * sizeof(Vec3));
     const bool is_integer = header.type == SampleType::UInt8 || header.type == SampleType::UInt16;

@@ -25,8 +25,8 @@ class ImageWriter {
   /// is written.
   std::string name(const std::string& image);
 
-  /// Absolute path of what is written for pbrt in place of the image of a texture; nothing if pbrt
-  /// sees it as it is, or it cannot be read.
+  /// Absolute path of the image that is written for pbrt in place of a texture's; nothing if pbrt
+  /// reads that equally, or it cannot be read.
   std::optional<std::string> for_texture(const desc::Node& texture);
   /// An image of 1 where that of a texture is at least `edge`, else 0; nothing if it cannot be
   /// read, or is not mapped by coordinates of the surface.

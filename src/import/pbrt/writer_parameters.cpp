@@ -13,8 +13,8 @@ struct ValueWriter {
 
   void operator()(std::monostate) const {}
   void operator()(bool value) const {
-    // pbrt's defaults are ours, but for "gamma", which depends on the file there: it is what this
-    // says of files of integers, and must not be said of others.
+    // pbrt's defaults are ours, but for "gamma", which depends on the file there: it is written for
+    // files of integers only.
     if (desc::Value(value) != desc::default_value(spec)) context.out.flag(name, value);
   }
   void operator()(int value) const { context.out.parameter("integer " + name, value); }

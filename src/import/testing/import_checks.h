@@ -36,7 +36,7 @@ inline std::string lines_of(const Warnings& warnings) {
   return result;
 }
 
-/// Fails for each warning; `context` says of what it is.
+/// Fails for each warning; `context` names its source.
 inline void expect_none(const Warnings& warnings, std::string_view context = {}) {
   for (const std::string& message : warnings.messages()) ADD_FAILURE() << context << message;
 }

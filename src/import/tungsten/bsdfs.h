@@ -40,7 +40,7 @@ class BsdfTable {
  private:
   struct Entry {
     const LocatedJson* json;
-    bool is_open = false;  ///< being read: what it refers to must not refer to it
+    bool is_open = false;  ///< being read: cycles of references are refused
     bool is_done = false;
     Surface surface{};
   };

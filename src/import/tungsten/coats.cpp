@@ -49,8 +49,8 @@ Vec3 per_lane(const Vec3& lanes, Function function) {
           static_cast<float>(function(static_cast<double>(lanes.z)))};
 }
 
-/// Share of light that goes through the layer to a white diffuse base and out again, without what
-/// the layer turns back.
+/// Share of light that goes through the layer to a white diffuse base and out again, without
+/// internal reflection.
 double passed_once(const Layer& layer) {
   return (1.0 - mean_reflectance(layer.ior)) * (1.0 - mean_internal_reflectance(layer.ior));
 }

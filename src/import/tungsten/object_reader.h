@@ -15,7 +15,7 @@ namespace ajar::tungsten {
 /// Values of the wrong type raise SceneError at their place.
 class ObjectReader {
  public:
-  /// `what` stands in messages, as in "a quad". Raises SceneError if `json` is no object.
+  /// `what` is its kind in messages, as in "a quad". Raises SceneError if `json` is no object.
   ObjectReader(const Context& context, const LocatedJson& json, std::string what);
 
   const Context& context() const { return context_; }

@@ -150,7 +150,7 @@ Strands read_hair(std::string_view bytes, const std::string& name) {
   Strands strands;
   std::vector<std::uint16_t> segments;
   if ((has & kSegments) != 0) segments = cursor.array<std::uint16_t>(curve_count);
-  // Before memory is taken for what only the header promises.
+  // Checked before memory is allocated for claims of the header.
   strands.nodes = cursor.array<Vec3>(node_count);
   if ((has & kSegments) != 0) {
     for (const std::uint16_t count : segments) strands.counts.push_back(count + 1U);

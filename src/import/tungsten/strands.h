@@ -17,7 +17,7 @@ struct Strands {
 };
 
 /// Reads a file of the ending `.fiber` or `.hair`. Raises SceneError, with `name` as its file, for
-/// other endings, for what is damaged, and for numbers that are not finite.
+/// other endings, for damaged files, and for numbers that are not finite.
 ///
 /// `.fiber` is Tungsten's own, little endian: eight bytes of signature, a version, then attributes,
 /// each with its name, type and length. Read are `num_vertices` (curves, 16 bits), `position` and

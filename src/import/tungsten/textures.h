@@ -27,7 +27,7 @@ class TextureReader {
   /// A colour (Vec3) or a texture (TextureRef).
   desc::Value color(const LocatedJson& json);
   /// A number (float) or a texture (TextureRef). An image's number is the mean of the colours as
-  /// they are stored: Tungsten decodes only what it reads as a colour.
+  /// they are stored: Tungsten decodes colours only.
   desc::Value number(const LocatedJson& json) { return number(json, NumberRole::Number); }
   /// Opacity: the alpha channel of an image that has one; PNG and JPEG files always do.
   desc::Value opacity(const LocatedJson& json) { return number(json, NumberRole::Opacity); }
