@@ -54,7 +54,7 @@ Stage make_stage(const BenchScene& bench_scene, const ErrorArguments& arguments)
   return stage;
 }
 
-/// Loads what is kept, and renders and keeps what it lacks. May have no parts if interrupted.
+/// Loads stored parts, and renders and stores missing ones. May have no parts if interrupted.
 std::vector<ReferencePart> reference_parts(const Stage& stage, const ErrorArguments& arguments) {
   const ReferenceStore store(arguments.reference_folder,
                              {stage.name, stage.settings.resolution, stage.settings.max_depth,

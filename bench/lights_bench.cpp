@@ -65,7 +65,7 @@ desc::SceneDesc room(int emitters) {
 }
 
 /// Σ value² / probability over the lights at random places, by tree over by power, both less the
-/// square of the mean: what is left of the variance of choosing a light.
+/// square of the mean: the remaining part of the variance of choosing a light.
 double variance_left(const Scene& scene) {
   Rng rng(2);
   double by_tree = 0.0;

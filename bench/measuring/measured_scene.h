@@ -20,7 +20,7 @@ struct MeasureOptions {
   std::vector<std::string> reference_methods = {"bdpt", "mmlt+"};
 };
 
-/// A scene, and what a picture of it should be.
+/// A scene, and its reference picture.
 struct MeasuredScene {
   std::string name;
   desc::SceneDesc description;

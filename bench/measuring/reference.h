@@ -34,7 +34,7 @@ struct Reference {
 /// the trimmed one does not depend on it.
 NoiseFloor noise_floor(std::span<const float> picture, std::span<const float> standard_error);
 
-/// relMSE of a picture without what the noise of references adds to it.
+/// relMSE of a picture without the noise of references.
 struct OwnError {
   double plain = 0.0;
   double trimmed = 0.0;  ///< without the 0.1 % of the pixels that differ most from the references
@@ -48,7 +48,7 @@ struct OwnError {
 OwnError own_error(std::span<const float> picture, std::span<const float> first,
                    std::span<const float> second);
 
-/// Two references that are independent of one another, and alike in what they are made of.
+/// Two independent references of equal composition.
 struct ReferencePair {
   std::array<std::vector<float>, 2> halves;
   std::vector<float> mean;  ///< mean of both
