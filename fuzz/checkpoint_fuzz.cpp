@@ -148,7 +148,7 @@ class Input {
   std::span<const std::uint8_t> bytes_;
 };
 
-/// A change is what it is, its place in 3 bytes (from the end, if odd), and some bytes.
+/// A change is its kind, its place in 3 bytes (from the end, if odd), and some bytes.
 void change(std::vector<char>& file, Input& input) {
   const std::size_t kind = input.number(1);
   const std::size_t distance = input.number(3) % (file.size() + 1);

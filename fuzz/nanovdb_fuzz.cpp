@@ -1,6 +1,6 @@
 // Any bytes must either have a grid of floats or raise one of our errors. A file with all levels of
-// a tree is larger than what a fuzzer makes of nothing: after an odd first byte come places of one
-// that is good, and what is written there.
+// a tree is larger than the random input of a fuzzer: after an odd first byte come places in a
+// valid file, and the bytes to write there.
 #include <nanovdb/util/GridBuilder.h>
 #include <nanovdb/util/IO.h>
 
