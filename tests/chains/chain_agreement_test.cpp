@@ -9,9 +9,9 @@
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
 
-/// Markov chains and what can be set of them against ordinary Monte Carlo, block by block, indirect
-/// light apart. (Every integrator as it is: agreement_test.cpp.) Chains of different replicates
-/// share nothing, so replicates are independent whatever happens within each.
+/// Markov chains with their options against ordinary Monte Carlo, block by block, indirect light
+/// apart. (Every integrator as it is: agreement_test.cpp.) Chains of different replicates share
+/// nothing, so replicates are independent.
 namespace ajar {
 namespace {
 
@@ -103,8 +103,8 @@ const std::vector<Variant>& variants() {
        "pssmlt+",
        {{"split", "0"}},
        {"Room", "GlassAndMetal", "Environment", "ThinLens", "Fog", "CroppedMitchell"}},
-      // So low that most of the light is divided about evenly: what one side forgets or counts
-      // twice would show.
+      // So low that most of the light is divided about evenly: omissions or double counting of one
+      // side would show.
       {"mmlt+, low split",
        "mmlt+",
        {{"split", "0.5"}},

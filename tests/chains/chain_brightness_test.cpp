@@ -79,7 +79,7 @@ TEST_P(Importance, LeavesTheExpectationAsItIs) {
                   std::string(integrator) + ", importance " + map);
     }
   }
-  // Chains of explicit paths weigh by the map what they share with ordinary Monte Carlo, too.
+  // Chains of explicit paths weight their part by the map, too.
   options.integrator = "selective";
   for (const char* chain : {"mlt", "erpt"}) {
     options.parameters = {{"chain", chain}, {"split", "0.5"}, {"importance", noise.path()}};

@@ -15,7 +15,7 @@
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
 
-/// Chains where there is little for them to find, and what they say of themselves.
+/// Chains where there is little light for them, and their reports.
 namespace ajar {
 namespace {
 

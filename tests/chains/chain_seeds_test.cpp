@@ -15,7 +15,7 @@ namespace {
 
 /// Ratio of the dark stripes to kDark / kBright of the bright ones, over independent renders.
 struct Excess {
-  double mean = 0.0;  ///< over what they should be
+  double mean = 0.0;  ///< over the expected value
   double error = 0.0;
 };
 

@@ -127,7 +127,7 @@ TEST_P(HostileState, IsRefusedOrCanBeRenderedOn) {
   std::mt19937 random(3);
   int refused = 0;
   for (int i = 0; i < 150; ++i) {
-    // Most of it is the numbers of chains: what stands before and after them is met as often.
+    // Most of it is the numbers of chains: the parts before and after them are hit as often.
     const std::size_t end = i % 2 == 0 ? good_.size() : std::min<std::size_t>(good_.size(), 600);
     const std::size_t from_begin = random() % end;
     const std::string& value = values[random() % values.size()];

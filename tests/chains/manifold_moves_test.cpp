@@ -21,8 +21,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// Moves by manifold walks: what they are for, and that the way back leads to the path that they
-/// came from.
+/// Moves by manifold walks: their paths, and the reverse walk to the original path.
 namespace ajar {
 namespace {
 

@@ -301,7 +301,7 @@ INSTANTIATE_TEST_SUITE_P(
                       SeedsCase{"LampByAMirror", lamp_by_a_mirror()}),
     [](const auto& scene_info) { return std::string(scene_info.param.name); });
 
-/// Lit by a mirror alone: what would come straight from the lamp is held up.
+/// Lit by a mirror alone: direct light of the lamp is blocked.
 std::string lit_by_a_mirror() {
   return R"(Material "mirror"
 Shape "trianglemesh" "point P" [1 -1 -2  1 3 -2  1 3 2  1 -1 2] "integer indices" [0 1 2 0 2 3]

@@ -32,7 +32,7 @@ struct Claims {
   double log_back = 0.0;
 };
 
-/// Proposes one path whatever the current one is.
+/// Proposes one path from any current one.
 class OnePathMutation final : public PathMutation {
  public:
   OnePathMutation(Path path, const Claims& claims) : path_(std::move(path)), claims_(claims) {}

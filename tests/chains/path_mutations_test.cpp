@@ -21,8 +21,8 @@
 #include "support/path_scenes.h"
 #include "support/render.h"
 
-/// Mutations of paths: each by itself leaves the distribution of light as it
-/// is, region by region, and its densities are those of what it does.
+/// Mutations of paths: each by itself leaves the distribution of light as it is, region by region,
+/// and follows its densities.
 namespace ajar {
 namespace {
 
@@ -40,9 +40,8 @@ std::int32_t one_layer(int /*depth*/) { return 0; }
 
 constexpr std::size_t kRegions = 3 * 2 * kMaxDepth * 3 * 2;
 
-/// By the place on the film, the length, what the camera sees (a specular
-/// vertex, another, or the light), and whether light falls steeply on the first
-/// vertex.
+/// By the place on the film, the length, the first hit (a specular vertex, another, or the light),
+/// and whether light falls steeply on the first vertex.
 std::size_t region_of(const Scene& scene, const Path& path) {
   const Vec2 place = path.raster / Vec2(scene.camera().resolution());
   const auto column = static_cast<std::size_t>(std::clamp(place.x * 3.F, 0.F, 2.F));
@@ -107,8 +106,8 @@ double power_of_flow(const std::string& scene) {
   return scene == "Grazing" ? 0.2 : 0.06;
 }
 
-/// Share of all light that must leave its region in a step: what can be noticed
-/// is a density that is wrong for some of that.
+/// Share of all light that must leave its region in a step: the power to find densities that are
+/// wrong for some of that.
 double least_flow(const std::string& mutation, const std::string& scene) {
   if (mutation == "manifold") {
     // Elsewhere chains at the light are few.

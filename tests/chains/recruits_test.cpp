@@ -98,7 +98,7 @@ TEST(Recruits, AreStatesOfChainsWithTheirWeight) {
   }
 }
 
-/// A lamp so small, over water, that running into it finds about as much of what is seen through
+/// A lamp so small, over water, that unidirectional hits find about as much of the light through
 /// the water as a few manifold connections do.
 std::string small_lamp_over_water() {
   return test::pbrt_scene(

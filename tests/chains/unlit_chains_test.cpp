@@ -8,8 +8,8 @@
 #include "support/render.h"
 #include "support/temporary_file.h"
 
-/// Where a bootstrap finds no light, that counts in the mean as much as what others find: a method
-/// that did something else then would make pictures that are too bright on average.
+/// A bootstrap without light counts in the mean like others: a method that did something else then
+/// would make pictures that are too bright on average.
 namespace ajar {
 namespace {
 
@@ -19,7 +19,7 @@ std::string quad(const std::string& points) {
   return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [" + points + "]\n";
 }
 
-/// A lamp behind the camera, which is seldom hit by chance, above a floor; and what else there is.
+/// A lamp behind the camera, which is seldom hit by chance, above a floor; and `rest`.
 std::unique_ptr<Scene> rarely_lit(const std::string& radius, const std::string& rest) {
   return test::scene_from(test::pbrt_scene(
       "LookAt 0 0 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [60]\n", 8, 6,

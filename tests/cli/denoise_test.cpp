@@ -85,7 +85,7 @@ TEST_F(DenoiseCli, FiltersPicturesOfEarlierRenders) {
   EXPECT_EQ(a.rgb("replicates.3"), b.rgb("replicates.3"));
   EXPECT_FALSE(b.rgb("denoised").empty());
   EXPECT_FALSE(b.rgb("denoised-error").empty());
-  // Once more: from what the file has now.
+  // Once more: from the current content of the file.
   ASSERT_EQ(run({"denoise", "b.exr", "-o", "c.exr"}).exit_code, 0);
   EXPECT_EQ(image("c.exr").rgb("denoised"), b.rgb("denoised"));
 }

@@ -1,4 +1,4 @@
-// A filter of the user's own, and what it has to do with the rest.
+// A filter of the user's own, and its interaction with other options.
 #include <gtest/gtest.h>
 
 #include <fstream>

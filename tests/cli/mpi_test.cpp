@@ -21,7 +21,7 @@ class MpiCli : public Cli {
     std::vector<std::string> all{"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
                                  "OMPI_MCA_rmaps_base_oversubscribe=1",
                                  // Open MPI frees little, and its plug-ins are gone by then, so
-                                 // that no list of what is known to leak can name them.
+                                 // that no list of known leaks can name them.
                                  "ASAN_OPTIONS=detect_leaks=0:strict_string_checks=1", AJAR_MPIRUN,
                                  "-n", std::to_string(count), AJAR_PROGRAM};
     all.insert(all.end(), arguments.begin(), arguments.end());

@@ -53,7 +53,7 @@ const std::vector<Variant>& variants() {
   return kVariants;
 }
 
-/// Per pixel, of path tracing and of what scatters most.
+/// Per pixel, of path tracing and of the noisiest methods.
 constexpr int kSamples = 512;
 
 test::RenderOptions options_of(const test::SmallScene& small) {

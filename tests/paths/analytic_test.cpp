@@ -306,7 +306,7 @@ TEST_P(FromTheLight, ThroughAMirrorChain) {
 }
 
 TEST_P(FromTheLight, PhotonsThatHitTheLensPassThroughIt) {
-  // A lamp behind a lens of radius 1 lights what the camera sees, right through the lens: nothing
+  // A lamp behind a lens of radius 1 lights the visible surface, right through the lens: nothing
   // blocks that light, and no technique may count it as arriving at the film.
   const auto scene = scene_from(pbrt_scene(
       "LookAt 0 0 -4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [20] \"float lensradius\" "

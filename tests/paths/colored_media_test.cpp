@@ -37,7 +37,7 @@ std::string smoke(const Lanes& sigma_s, const Lanes& sigma_a) {
 
 using MakeMedium = std::string (*)(const Lanes& sigma_s, const Lanes& sigma_a);
 
-/// A ball of it before a sky as bright in all directions: what does not absorb is invisible.
+/// A ball of it before a sky as bright in all directions: media without absorption are invisible.
 std::string ball(const std::string& medium) {
   return pbrt_scene(medium + kView, 16, 16,
                     "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMediumInterface \"m\" \"\"\n"
@@ -65,8 +65,8 @@ class ColoredMedia : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Methods, ColoredMedia, ::testing::Values("pt", "lt", "ibpt", "bdpt"),
                          [](const auto& test) { return std::string(test.param); });
 
-/// One lane has a third of the samples, so that three times the variance is what is to be expected.
-/// Were a lane drawn for each distance, it were twenty times and more.
+/// One lane has a third of the samples, so that three times the variance is expected. With a lane
+/// drawn for each distance, it would be twenty times and more.
 TEST_P(ColoredMedia, AreAlmostAsQuietAsGreyOnes) {
   for (const MakeMedium medium : {&fog, &smoke}) {
     SCOPED_TRACE(medium == &fog ? "fog" : "smoke");
@@ -122,7 +122,7 @@ TEST_P(LanesOfMedia, MatchGreyMedia) {
     SCOPED_TRACE(medium == &fog ? "fog" : "smoke");
     test::RenderOptions options;
     options.samples = 128;
-    // Chains need long for what scatters many times.
+    // Chains need long for many scattering events.
     options.max_depth = 6;
     PerLane expected{};
     PerLane error{};

@@ -102,8 +102,8 @@ TEST_P(Paths, HaveTheContributionOfTheSampler) {
   }
 }
 
-/// As chains go about it: one half moves and the other stays, and what is rejected is put back.
-/// Against paths that are sampled as a whole by the same numbers.
+/// As in chains: one half moves and the other stays, and rejected halves are restored. Against
+/// paths that are sampled as a whole by the same numbers.
 TEST_P(Paths, AreRecordedHalfByHalf) {
   const auto scene = test::scene_from(GetParam().text);
   PathSamplerSettings settings;
@@ -329,10 +329,10 @@ float number_at(SampleSource& numbers, SampleAddress address) {
   return slot % 2 == 0 ? pair.x : pair.y;
 }
 
-/// Numbers of whole paths: inverses of what uniform numbers made are distributed as those numbers
-/// are, given that they find a path; roulette, tries and distances included. Every address is
-/// counted in 8 bins, against the numbers of other samples. Power: with about 5000 paths of either
-/// kind a number whose density is wrong by 15 % everywhere is found at p < 10⁻⁶.
+/// Numbers of whole paths: inverses of samples from uniform numbers are distributed as those
+/// numbers are, given that they find a path; roulette, tries and distances included. Every address
+/// is counted in 8 bins, against the numbers of other samples. Power: with about 5000 paths of
+/// either kind a number whose density is wrong by 15 % everywhere is found at p < 10⁻⁶.
 TEST(PathInversion, NumbersAreDistributedAsThoseThatWereSampled) {
   for (const auto& [name, technique] :
        std::vector<std::pair<std::string, Technique>>{{"Environment", {0, 4}},
@@ -370,7 +370,7 @@ TEST(PathInversion, NumbersAreDistributedAsThoseThatWereSampled) {
     }
     for (auto& kind : counts) kind.assign(addresses.size(), std::vector<double>(kBins));
     for (std::uint64_t i = 0; i < 8000000 && (paths[0] < kPaths || paths[1] < kPaths); ++i) {
-      // Odd samples are inverted, even ones are what to compare with.
+      // Odd samples are inverted, even ones are the reference.
       const int kind = static_cast<int>(i % 2);
       if (paths[kind] == kPaths) continue;
       IndependentSource source({i, 1, i, 2});

@@ -14,8 +14,8 @@
 #include "support/room_formats.h"
 #include "support/small_scenes.h"
 
-/// Numbers in files, in parameters and in what is written have a point, whatever the locale of the
-/// program that the library is part of.
+/// Numbers in files, in parameters and in output have a point, whatever the locale of the program
+/// that the library is part of.
 namespace ajar::test {
 namespace {
 

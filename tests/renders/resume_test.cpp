@@ -25,7 +25,7 @@ namespace {
 
 using Sums = std::vector<std::int64_t>;
 
-/// An integrator and what of its parameters is not by default.
+/// An integrator and its parameters that are not at their defaults.
 struct Method {
   std::string integrator;
   std::map<std::string, std::string> parameters;
@@ -34,7 +34,7 @@ struct Method {
   std::uint64_t samples = 16;
 };
 
-/// Every integrator, and what else chains, and those who look at what they have rendered, remember.
+/// Every integrator, and the state of other chains, and of methods that adapt to their samples.
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, {}});
@@ -109,8 +109,8 @@ class Case {
   std::uint64_t samples_;
 };
 
-/// Scenes that differ in what the film or the sampler does. Each method has one of them for each
-/// test, and each scene a third of the methods.
+/// Scenes that differ in their film or sampler. Each method has one of them for each test, and each
+/// scene a third of the methods.
 constexpr std::array<const char*, 3> kScenes = {"Environment", "CroppedMitchell", "Fog"};
 
 class Resume : public ::testing::TestWithParam<const char*> {
@@ -144,7 +144,7 @@ Checkpoint checkpoint_of(const Case& one, const Integrator& integrator, const Fi
   return next;
 }
 
-/// Takes up what a checkpoint has.
+/// Restores a checkpoint.
 Film take_up(const Case& one, Checkpoint read, Integrator& integrator, RenderJobOptions& options) {
   check_scene(read, one.scene_.hash(), integrator.layers(), "", false);
   unarchive(read.integrator_state, [&](InputArchive& archive) {
@@ -251,7 +251,7 @@ TEST_P(Resume, OnSeveralRanksGivesTheSameBits) {
       for (std::thread& thread : threads) thread.join();
       EXPECT_EQ(together, alone) << one.name_ << ", " << count << " ranks";
       if (count < 3) continue;
-      // The root writes checkpoints: it must know what the others have done.
+      // The root writes checkpoints: it must have the state of the others.
       last.sums = together;
       const auto integrator = one.make();
       RenderJobOptions options = one.options(2, 2);

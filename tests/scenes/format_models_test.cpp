@@ -1,5 +1,4 @@
-// Materials of other renderers against what these make of them: on a ball under a lamp, and in a
-// furnace.
+// Materials of other renderers against their own values: on a ball under a lamp, and in a furnace.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +22,7 @@ enum FormatOfModel { kMitsuba3, kMitsuba06, kTungsten, kPbrt3, kPbrt4, kGltf };
 constexpr std::array kHeadings = {"Mitsuba 3", "Mitsuba 0.6", "Tungsten",
                                   "pbrt-v3",   "pbrt-v4",     "glTF"};
 
-/// A material as its format has it, and what its renderer makes of it: for Mitsuba 3 by its bsdfs
+/// A material as its format has it, and its values in its renderer: for Mitsuba 3 by its bsdfs
 /// (3.9, `eval` and `sample`), for pbrt-v4's layers by a random walk as there, for others by the
 /// formulas that they publish. Numbers are those of `lit` and `furnace` below; of single lanes.
 struct ModelCase {

@@ -60,7 +60,7 @@ TinyPicture mesh_picture(const std::string& name, const std::map<std::string, st
               {},
               desc::emission_node("area",
                                   {{"radiance", scene.materials.at(id).node.get("base_color")}})};
-          // Nothing but what it shines.
+          // Emission alone.
           scene.materials[id].node = desc::material_node("diffuse", {{"reflectance", Vec3(0.F)}});
         }
         // Texels as squares.

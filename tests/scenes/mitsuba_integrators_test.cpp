@@ -120,9 +120,9 @@ INSTANTIATE_TEST_SUITE_P(All, NullEventsCount,
                                            NullEvents{kMaskedThin, "path", 6, 0.9301, 0.3371},
                                            NullEvents{kMaskedThin, "volpath", 2, 0.9869, 0.7443}));
 
-/// Three wide masks before even light, of two edges: 0.7³ comes through, and mask i (from 0) sends
-/// back 0.3 · 0.5 of what comes to it, which passes i masks on either way. Mitsuba 3.9 has
-/// 0.6163 instead of 0.6025.
+/// Three wide masks before even light, of two edges: 0.7³ comes through, and mask i (from 0)
+/// reflects 0.3 · 0.5 of its light, which passes i masks on either way. Mitsuba 3.9 has 0.6163
+/// instead of 0.6025.
 TEST(Masks, TransmitBothWaysByTheirOpacity) {
   std::string scene = integrator("volpath", 2) + view(9, 24) + kEvenLight;
   for (int i = 0; i < 3; ++i) scene += square(600, i, kMask);
@@ -149,7 +149,7 @@ TEST_P(NullEventsOf, AddNothingToTheDepthThatCountsByAnyMethod) {
   EXPECT_LT(mean_of(lit("path", true), 64, GetParam()), 1e-6);
 }
 
-/// A lamp that is not seen lights what is behind it.
+/// An invisible lamp lights the scene behind it.
 TEST_P(NullEventsOf, HiddenLampsEmitByAnyMethod) {
   const auto lit = [](bool hidden) {
     return integrator("path", 4, hidden) + view(8, 16) + square(2, -1, "<bsdf type='diffuse'/>") +
@@ -175,7 +175,7 @@ TEST_P(NullEventsOf, HiddenLampsAreInvisibleByAnyMethod) {
   EXPECT_EQ(mean_of(lit(true), 64, GetParam()), 0.0);
 }
 
-/// The camera looks past a lamp, but not past what lies beyond a pane that counts.
+/// The camera looks past a lamp, but not past one beyond a pane that counts.
 TEST_P(NullEventsOf, LampsBehindHiddenOnesAreVisibleByAnyMethod) {
   const auto lamp = [](const std::string& shape, int radiance) {
     return shape + "<bsdf type='diffuse'><rgb name='reflectance' value='0'/></bsdf>" +

@@ -400,8 +400,8 @@ TEST_P(Mitsuba, ProjectorsLightAPlaneEvenly) {
 }
 
 TEST_P(Mitsuba, NormalMapsOfOneColorTilt) {
-  // 0.8 / π · 3 · cosine, of a light that comes from (1, 0.3, 1). Mitsuba 3.9 has 0.5284, and of
-  // what is tilted 0.6997, 0.4198 and 0.6595: 5 to 6 % less, by its shadowing of normal maps.
+  // 0.8 / π · 3 · cosine, of a light that comes from (1, 0.3, 1). Mitsuba 3.9 has 0.5284, and
+  // tilted 0.6997, 0.4198 and 0.6595: 5 to 6 % less, by its shadowing of normal maps.
   const auto lit = [&](const std::string& map) {
     return picture(camera(5, 0.02F) +
                        wall("<bsdf type='normalmap'>" + map +

@@ -491,7 +491,7 @@ TEST(Pbrt4, AlphaAndInterfacesAddNothingToTheDepth) {
 }
 
 TEST(Pbrt4, AlphaIsOpacity) {
-  // A quarter of what the wall shines, and three quarters of what is behind it.
+  // A quarter of the wall's emission, and three quarters of the background.
   for (const std::string alpha : {"'float alpha' 0.25", "'texture alpha' 'quarter'"}) {
     const TinyPicture seen = picture_of(
         kV4, camera(5, 1),

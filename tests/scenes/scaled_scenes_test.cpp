@@ -78,7 +78,7 @@ double mean_of(const std::string& text) {
   return render(*scene_from(text), {.samples = 64, .max_depth = 8}).mean();
 }
 
-/// A table under a square lamp, and what stands on it: in files, each of its numbers is rounded.
+/// A table under a square lamp, and objects on it: in files, each of its numbers is rounded.
 std::string table(double size, double shift, const std::string& standing) {
   const auto numbers = [&](std::initializer_list<double> all) {
     std::string text;

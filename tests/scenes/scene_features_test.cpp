@@ -67,7 +67,7 @@ TEST(SceneFeatures, FollowMirrors) {
 }
 
 TEST(SceneFeatures, SeeThroughClearGlass) {
-  // A block of glass: Fresnel's equations leave 92 % of what is behind, 8 % is reflected in it.
+  // A block of glass: Fresnel's equations leave 92 % of the background, 8 % is reflected in it.
   const Look look = look_at("Material \"glass\"\n" + wall(4.F) + wall(5.F) + kRed + wall(8.F));
   EXPECT_NEAR(look.albedo[0], 0.92F * 0.8F, 0.02F);
   EXPECT_NEAR(look.normal[2], -0.92F, 0.03F);

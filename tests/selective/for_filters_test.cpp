@@ -52,8 +52,8 @@ TEST(OtherEstimates, HaveTheExpectationOfThePicture) {
   }
 }
 
-/// Splats through boxes: of methods that have nothing else, to rounding what the film of a box
-/// has. (Camera samples are drawn from the filter.)
+/// Splats through boxes: of methods that have nothing else, equal to the film of a box up to
+/// rounding. (Camera samples are drawn from the filter.)
 TEST(ForFilters, SplatsHaveBoxes) {
   const auto scene_with = [](const std::string& filter) {
     return test::scene_from(

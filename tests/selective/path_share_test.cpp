@@ -128,7 +128,7 @@ TEST_P(PathShareOf, IsTheSumOverAllTechniques) {
         ASSERT_NEAR(connectible.part(path, log_light), hit_only ? 0.0 : 1.0, 1e-9);
         ASSERT_TRUE(!hit_only || technique.s == 0);
         hit_only_ones += hit_only ? 1 : 0;
-        // And what the technique that found it leaves is one of the terms.
+        // The remainder of the technique that found it is one of the terms.
         const double own = parts.of(path, log_light)[static_cast<std::size_t>(technique.s)].light;
         if (!(std::abs(own - light) <= 0.01 * light)) ++different;
         if (slow > 0.0 && slow < 0.99 * static_cast<double>(division.at(path.raster).target)) {

@@ -40,7 +40,7 @@ auto times(const std::vector<Chosen>& all, const Chosen& one) {
   return std::count(all.begin(), all.end(), one);
 }
 
-/// A pilot is small, and luck decides between what is nearly as good.
+/// A pilot is small, and chance decides between nearly equal ones.
 TEST(Selective, MostlyChoosesTechniquesThatSuitTheScene) {
   const Chosen few{"ibpt", 0.33};
   EXPECT_GE(times(chosen("cornell", 3), few), 2);
@@ -69,8 +69,8 @@ TEST(Selective, UsesTheUsersTechniques) {
                UsageError);
 }
 
-/// One convex thing under a sky has no light but what comes straight from it: there is nothing to
-/// start chains from, and nothing to warn of.
+/// One convex object under a sky has only direct light: there is nothing to start chains from, and
+/// nothing to warn of.
 TEST(Selective, ReportsThatChainsAreUnused) {
   const auto scene = test::scene_from(test::pbrt_scene(
       "LookAt 0 -4 1  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" [45]\n", 16, 12,
@@ -191,9 +191,9 @@ int rounds_of(const std::string& scene_name) {
 }
 
 TEST(Selective, SkipsPreparationWithoutABenefit) {
-  // Brightness, ibpt, bdpt, roulette, what pixels show, and what is to be divided.
+  // Brightness, ibpt, bdpt, roulette, surfaces of pixels, and the division.
   EXPECT_EQ(rounds_of("cornell"), 6);
-  // More light subpaths for what chains could start from, too.
+  // More light subpaths for the seeds of chains, too.
   EXPECT_EQ(rounds_of("torus-in-glass"), 7);
 }
 

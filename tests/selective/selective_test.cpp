@@ -205,7 +205,7 @@ MeanAndError truth_of(const Scene& scene, test::RenderOptions options) {
   return summary(means(scene, options, 8));
 }
 
-// Pixels that show two objects count as one of them, whatever the picture's own samples see there:
+// Pixels that show two objects count as one of them, independently of the picture's own samples:
 // when those voted, the ones that saw the brighter object were weighed by its map, and the picture
 // was 0.11 too bright.
 TEST(Selective, RegionsAreIndependentOfKeptSamples) {
@@ -237,7 +237,7 @@ std::string quad(const std::string& points) {
   return "Shape \"trianglemesh\" \"point P\" [" + points + "] \"integer indices\" [0 2 1 0 3 2]\n";
 }
 
-/// Two boxes without lids, side by side, in the left one a wide lamp; and what else there is.
+/// Two boxes without lids, side by side, in the left one a wide lamp; and `rest`.
 std::unique_ptr<Scene> scene_of_two_boxes(const std::string& lamps, const std::string& rest) {
   return test::scene_from(test::pbrt_scene(
       "LookAt 0 3.5 -4.5  0 0.3 0.4  0 1 0 Camera \"perspective\" \"float fov\" [40]", 24, 12,
@@ -268,8 +268,9 @@ std::pair<double, double> halves_of(const test::Render& render) {
 }
 
 // b comes from independent samples, so chains with a wrong part of each path only move light about.
-// Few long chains have time to. With what rays into the lamp leave alone, or with their strength
-// for all techniques, a fifth of the light went from the right half of the picture to the left.
+// Few long chains have time to. With the remainder of unidirectional hits alone, or with their
+// strength for all techniques, a fifth of the light went from the right half of the picture to the
+// left.
 TEST(Selective, KeepsLightInPlaceWithAnyTechniques) {
   const auto scene = scene_of_two_lamps();
   test::RenderOptions options;

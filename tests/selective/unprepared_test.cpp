@@ -27,8 +27,7 @@ int rounds_of(const Scene& scene, const test::RenderOptions& options) {
   return static_cast<int>(preparation.rounds());
 }
 
-/// Chains that could not be prepared leave the whole picture to ordinary Monte Carlo, whatever
-/// they would have made.
+/// Chains that could not be prepared leave the whole picture to ordinary Monte Carlo, for any plan.
 TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
   const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
   test::RenderOptions options;
@@ -76,7 +75,7 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
 }
 
 /// Once the pilot is over, nothing of it is thrown away: its samples are of the picture. (Chains
-/// that start from what it has found are prepared then.)
+/// that start from its paths are prepared then.)
 TEST(Unprepared, KeepsThePilotsSamples) {
   const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
   test::RenderOptions options;

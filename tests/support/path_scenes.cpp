@@ -184,8 +184,8 @@ Shape "sphere"
 )");
 }
 
-/// A ball of rough metal throws the light of a spot on a floor under water, whose surface
-/// refracts it smoothly, as it does what is seen.
+/// A ball of rough metal throws the light of a spot on a floor under water, whose surface refracts
+/// it smoothly, as it does the view.
 std::string gloss_over_water() {
   return pbrt_scene("LookAt 0 1.5 -0.6  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [60]",
                     24, 16, R"(

@@ -48,7 +48,7 @@ struct RenderOptions {
   std::optional<Box2i> crop{};
   std::vector<std::string> aovs{};
   bool for_filters = false;
-  std::optional<int> skip_after{};  ///< so many rounds of the preparation, the rest of it
+  std::optional<int> skip_after{};  ///< skip after so many rounds of the preparation
 };
 RenderSettings settings_of(const Scene& scene, const RenderOptions& options);
 Render render(const Scene& scene, const RenderOptions& options);
