@@ -10,7 +10,7 @@
 
 namespace ajar::bench {
 
-/// How scenes are measured.
+/// Conditions of measurements.
 struct MeasureOptions {
   int longer_side = 0;      ///< pixels, in the scene's own shape; 0: 160×120 for all
   bool box_filter = false;  ///< one pixel wide, instead of the scene's own
@@ -20,7 +20,7 @@ struct MeasureOptions {
   std::vector<std::string> reference_methods = {"bdpt", "selective"};
 };
 
-/// A scene, and what a picture of it should be.
+/// A scene, and its reference picture.
 struct MeasuredScene {
   std::string name;
   desc::SceneDesc description;

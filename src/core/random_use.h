@@ -3,14 +3,14 @@
 
 namespace ajar {
 
-/// What randomness is drawn for, beside the numbers of the paths themselves: hashed together with
-/// the seed of its owner (`hash_numbers`), so that no two uses share their numbers. A picture's
-/// bits hang on these values.
+/// Uses of random numbers beside those of the paths themselves: hashed together with the seed of
+/// its owner (`hash_numbers`), so that no two uses share their numbers. A picture's bits depend on
+/// these values.
 enum class RandomUse : std::uint64_t {
   // Ordinary Monte Carlo.
-  LightSubpaths = 0x11987,  ///< those of a replicate
+  LightSubpaths = 0x11987,  ///< light subpaths of a replicate
   LightScramble = 0x1e45,   ///< their points
-  PictureScale = 0x9170,    ///< samples that tell how bright the picture is
+  PictureScale = 0x9170,    ///< samples for the brightness of the picture
   SampleRates = 0x4a7e5,    ///< rounding of camera samples per pixel
   StrongCameraPath = 0x57706,
   StrongLightPath = 0x57707,
@@ -21,10 +21,10 @@ enum class RandomUse : std::uint64_t {
   StepLength = 0x1e46,  ///< of small steps; beyond the keys of tries
   RasterMove = 0x7a57e7,
   RasterLength = 0x1e467,
-  PathMutation = 0x9a7b1,  ///< which of those of paths
+  PathMutation = 0x9a7b1,  ///< choice among the mutations of paths
   PathNumbers = 0x9a7b2,   ///< by which it makes another
   EnergySamples = 0xe59,
-  PathSeed = 0x9a7b3,  ///< which path of a bootstrap sample
+  PathSeed = 0x9a7b3,  ///< choice of a path of a bootstrap sample
   ManifoldSeed = 0x3a9f01d,
   SpecularPhotons = 0x9405,
   // The preparation of divided light.

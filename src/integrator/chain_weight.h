@@ -11,10 +11,10 @@ class ChainWeight {
   virtual ~ChainWeight() = default;
   /// What multiplies a contribution that lands on `raster` in the target of the chains.
   virtual float share(const Contribution& contribution, const Vec2& raster) const = 0;
-  /// The same for what a technique brings, MIS weight in it, without what is owed to chance: its
-  /// luminance.
+  /// Factor for a technique's contribution, with its MIS weight and without its roulette weight:
+  /// its luminance.
   virtual float share(Technique technique, float light, const Vec2& raster) const = 0;
-  /// What multiplies the indirect light that they deposit there.
+  /// Factor of the indirect light that they deposit there.
   virtual float kept(const Vec2& raster) const = 0;
 
  protected:

@@ -11,9 +11,9 @@
 
 namespace ajar {
 
-/// The film's layer of what ordinary Monte Carlo leaves in the picture of divided light.
+/// The film's layer of ordinary Monte Carlo's part of divided light.
 inline const std::string kWeakLayer = "indirect-weak";
-/// What it finds of the rest, which chains make: another estimate of their layer.
+/// The film's layer of its samples of the chains' part: another estimate of their layer.
 inline const std::string kStrongLayer = "indirect-strong";
 
 /// How the long paths of a pixel are divided.
@@ -23,14 +23,14 @@ struct PixelDivision {
   float threshold = 0.F;
   /// σ, by which the chains' target is multiplied. 0 leaves everything to ordinary Monte Carlo.
   float target = 1.F;
-  /// What the picture takes from chains instead of σ: the same, unless one method alone makes a
-  /// pixel. 0 where σ is 0.
+  /// Scale of the chains' deposits in the picture, in place of σ: equal to it, unless one method
+  /// alone makes a pixel.
   float kept = 1.F;
 };
 
-/// How ordinary Monte Carlo and Markov chains share the light of long paths, path by path: the
-/// estimator of `selective`, in five lines. x₁ … x_n are what camera samples find, y₁ … y_N the
-/// states of chains:
+/// Division of the light of long paths between ordinary Monte Carlo and Markov chains, path by
+/// path: the estimator of `selective`, in five lines. x₁ … x_n are the paths of camera samples, y₁
+/// … y_N the states of chains:
 ///
 ///     g(x) = luminance(F(x)) · importance         of F = f/p · MIS weight, as a technique finds it
 ///     w(x) = σ · g / (T + g)                      the chains' part
@@ -38,9 +38,9 @@ struct PixelDivision {
 ///     b    = 1/n Σ g(xᵢ) w(xᵢ)                    of the same samples, which also start the chains
 ///     T    : least X(T)/n + C·b(T)²/N             for n·c_s + N·c_m rays (optimal_thresholds.h)
 ///
-/// X is the variance of a sample with what is left to it, C how many times worse a mutation is than
-/// an independent sample of the chains' light. Where σ is 1, what is left to a sample, F·T/(T + g),
-/// is never more than T.
+/// X is the variance of a sample with its remaining part, C the variance of a mutation over that of
+/// an independent sample of the chains' light. Where σ is 1, the remaining part of a sample, F·T/(T
+/// + g), is never more than T.
 ///
 /// Both sides compute g from the path and its technique alone, and σ and T from its place on the
 /// film, so the parts add up to F. With σ = 1 it is the balance heuristic between independent
@@ -71,10 +71,10 @@ class Division final : public ChainWeight {
   }
   /// g / (T + g).
   static float above(float strength, float threshold) {
-    // What is infinite or not a number is for whoever adds it up to discard.
+    // Infinity and NaN are discarded by the caller.
     return strength > 0.F ? 1.F / (1.F + threshold / strength) : 0.F;
   }
-  /// What chains sample of a contribution that lands on `raster`.
+  /// Part of a contribution that lands on `raster` in the chains' target.
   float chain_share(const Contribution& contribution, const Vec2& raster) const {
     return divides(contribution.technique) ? chain_share(strength(contribution, raster), raster)
                                            : 0.F;
@@ -115,7 +115,7 @@ class Division final : public ChainWeight {
     const PixelDivision& share = at(raster);
     return share.target > 0.F ? share.kept / share.target : 0.F;
   }
-  /// Whether the picture takes nothing from chains anywhere.
+  /// True if the picture takes nothing from chains anywhere.
   bool takes_nothing() const {
     return std::all_of(shares_.begin(), shares_.end(),
                        [](const PixelDivision& share) { return share.kept == 0.F; });

@@ -48,7 +48,7 @@ TEST(Division, SharesAddUpToOneAndOrdinaryMonteCarloStaysBelowTheThreshold) {
   }
 }
 
-TEST(Division, DoesNotLookAtWhatChanceHasMadeOfThePath) {
+TEST(Division, IgnoresRouletteWeights) {
   const ImportanceMap importance;
   const Division division(5.0, importance);
   const float sure = division.chain_share(contribution(2.F, {3, 2}), kAnywhere);
@@ -56,7 +56,7 @@ TEST(Division, DoesNotLookAtWhatChanceHasMadeOfThePath) {
       << "a survivor of Russian roulette is the same path";
 }
 
-TEST(Division, KeepsWhatCannotBeAddedForTheOneWhoCounts) {
+TEST(Division, PassesOnNanAndInfinity) {
   const ImportanceMap importance;
   const Division division(5.0, importance);
   const float nan = std::numeric_limits<float>::quiet_NaN();

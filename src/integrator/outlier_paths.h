@@ -19,10 +19,10 @@ struct OutlierPath {
   Spectrum value;        ///< the chains' share, as it would be splatted
   double energy;         ///< luminance · importance of it; below 0 in negative lobes of a filter
   std::uint64_t sample;  ///< names the camera sample and the light subpath that found it
-  /// Which of the sample's light subpaths, if s ≥ 2. Not kept: the path's numbers are.
+  /// Index of the sample's light subpath, if s ≥ 2. Not saved: the path's numbers are.
   int light_subpath = 0;
-  bool hit_only = false;  ///< of `Contribution`
-  /// Names the randomness of what is done with it.
+  bool hit_only = false;  ///< as in `Contribution`
+  /// Key of its random numbers.
   std::uint64_t key() const {
     return hash_numbers(sample, static_cast<std::uint64_t>(technique.s),
                         static_cast<std::uint64_t>(technique.t));

@@ -9,9 +9,9 @@
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
 
-/// Markov chains and what can be set of them against ordinary Monte Carlo, block by block, indirect
-/// light apart. (Every integrator as it is: agreement_test.cpp.) Chains of different replicates
-/// share nothing, so replicates are independent whatever happens within each.
+/// Markov chains with their options against ordinary Monte Carlo, block by block, indirect light
+/// apart. (Every integrator as it is: agreement_test.cpp.) Chains of different replicates share
+/// nothing, so replicates are independent.
 namespace ajar {
 namespace {
 
@@ -206,7 +206,7 @@ TEST(ChainAgreementInARangeOfDepths, HoldsForPathsOfFourAndFiveEdges) {
   }
 }
 
-/// Of which no method has the numbers by default.
+/// No method uses chains of numbers by default here.
 TEST(ChainAgreementOfEnergyRedistribution, HoldsForChainsOfNumbers) {
   for (const char* name : {"GlassAndMetal", "CroppedMitchell"}) {
     test::KnownPicture known = test::known_picture(name, 160);

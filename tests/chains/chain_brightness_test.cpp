@@ -65,7 +65,7 @@ TEST_P(Importance, LeavesTheExpectationAsItIs) {
   options.samples = 128;
   options.integrator = "bdpt";
   const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
-  // Of the full picture, or of the crop alone.
+  // Noise of the full picture, or of the crop alone.
   const Vec2i size = small.crop ? small.crop->max - small.crop->min + Vec2i(1, 1) : resolution;
   const NoiseMap noise(size.x, size.y);
   options.seed = 2;
@@ -121,7 +121,7 @@ Scatter scatter(const Scene& scene, test::RenderOptions options, int seeds) {
 
 class OverSeeds : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(OverSeeds, BrightnessScattersAsErrorBarsSay) {
+TEST_P(OverSeeds, BrightnessScattersWithinErrorBars) {
   constexpr int kSeeds = 100;
   // They know b from the bootstrap alone, to which caustics are rare.
   const bool has_rare_caustics = GetParam() == "mmlt" || GetParam() == "pssmlt";

@@ -15,7 +15,7 @@
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
 
-/// Chains where there is little for them to find, and what they say of themselves.
+/// Chains where there is little light for them, and their reports.
 namespace ajar {
 namespace {
 
@@ -100,7 +100,7 @@ struct LitCase {
 };
 class Lit : public ::testing::TestWithParam<LitCase> {};
 
-TEST_P(Lit, IsAsBrightAsMonteCarloSays) {
+TEST_P(Lit, HasTheBrightnessOfMonteCarlo) {
   const LitCase& lit = GetParam();
   const auto scene = scene_from(pbrt_scene(kCamera, 16, 16, lit.world));
   test::RenderOptions options;
@@ -322,7 +322,7 @@ TEST(ChainLayers, DensityCountsVisitsAndAcceptanceIsAProbability) {
   }
 }
 
-TEST(ChainReports, SayWhatMovesCost) {
+TEST(ChainReports, HaveTheCostOfMoves) {
   const auto scene = scene_from(pbrt_scene(
       kCamera, 24, 16,
       kPoints + kFloor +
@@ -400,7 +400,7 @@ TEST(MutationsOfPaths, AreNeverTriedWithAWeightOfZero) {
 }
 
 /// Steps for which no mutation is are none of the first mutation.
-TEST(MutationsOfPaths, ThatAreForNoPathLeaveStepsIdle) {
+TEST(MutationsOfPaths, UnsuitableOnesLeaveStepsIdle) {
   const auto scene = scene_from(pbrt_scene(kCamera, 12, 8, kPoints + kFloor));
   test::RenderOptions options = options_of("mlt");
   options.samples = 8;
@@ -437,7 +437,7 @@ TEST(MutationsOfPaths, AreRefusedIfAllAreSwitchedOff) {
   }
 }
 
-TEST(ChainReports, SayWhatChainsDid) {
+TEST(ChainReports, HaveTheStatisticsOfChains) {
   const auto scene = scene_from(pbrt_scene(kCamera, 24, 16, kPoints + kFloor));
   test::RenderOptions options = options_of("mmlt");
   options.min_depth = 3;

@@ -8,15 +8,14 @@
 #include "support/render.h"
 #include "support/stripes.h"
 
-/// Where seeds of chains stand for unequal amounts of light, more of them start where there is
-/// more. All must walk equally far: light would otherwise leave bright places faster than it comes
-/// back from dark ones.
+/// Seeds of unequal weight start several chains each, in proportion. All must walk equally far:
+/// light would otherwise leave bright places faster than it comes back from dark ones.
 namespace ajar {
 namespace {
 
-/// How far the dark stripes are from kDark / kBright of the bright ones, over independent renders.
+/// Ratio of the dark stripes to kDark / kBright of the bright ones, over independent renders.
 struct Excess {
-  double mean = 0.0;  ///< over what they should be
+  double mean = 0.0;  ///< over the expected value
   double error = 0.0;
 };
 

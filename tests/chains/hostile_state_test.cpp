@@ -1,5 +1,4 @@
-// What a stranger has put into a checkpoint in the place of an integrator's state is refused, or
-// can be rendered on.
+// Corrupt states of an integrator in a checkpoint are refused, or can be rendered on.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -96,7 +95,7 @@ std::string bytes_of(Value value) {
   return bytes;
 }
 
-TEST(KeptState, IsNoneOfMethodsWithoutChains) {
+TEST(KeptState, IsEmptyWithoutChains) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
   for (const auto& [name, reason] : test::those_without_chains("they keep some")) {
     const IntegratorInfo& info = find_integrator(name);
@@ -125,7 +124,7 @@ TEST_P(HostileState, IsRefusedOrCanBeRenderedOn) {
   std::mt19937 random(3);
   int refused = 0;
   for (int i = 0; i < 150; ++i) {
-    // Most of it is the numbers of chains: what stands before and after them is met as often.
+    // Most of it is the numbers of chains: the parts before and after them are hit as often.
     const std::size_t end = i % 2 == 0 ? good_.size() : std::min<std::size_t>(good_.size(), 600);
     const std::size_t from_begin = random() % end;
     const std::string& value = values[random() % values.size()];

@@ -1,4 +1,4 @@
-// What a user meets of Markov chains: warnings, statistics, layers, options.
+// Output on Markov chains: warnings, statistics, layers, options.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -25,7 +25,7 @@ int count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-TEST_F(Cli, EveryMethodSaysThatItsPictureIsBlack) {
+TEST_F(Cli, EveryMethodReportsABlackPicture) {
   file("walled.pbrt", kWalledLamp);
   file("unlit.pbrt", "Camera \"perspective\" WorldBegin Shape \"sphere\" WorldEnd");
   for (const std::string& method : integrators()) {
@@ -40,7 +40,7 @@ TEST_F(Cli, EveryMethodSaysThatItsPictureIsBlack) {
   }
 }
 
-TEST_F(Cli, ChainsWithoutLightSayWhatToDoAndRenderBlack) {
+TEST_F(Cli, ChainsWithoutLightWarnAndRenderBlack) {
   const fs::path scene = file("dark.pbrt", kWalledLamp);
   for (const char* integrator : {"mmlt", "pssmlt", "mlt", "erpt"}) {
     const Outcome outcome =

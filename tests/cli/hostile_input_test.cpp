@@ -145,7 +145,7 @@ TEST_F(HostileInput, NestedMixesTakeNoLongerThanTheirFile) {
   EXPECT_EQ(run_limited({"convert", "scene.pbrt", "b.pbrt"}).exit_code, 0);
 }
 
-TEST_F(HostileInput, WhatIsWrongWithAFilterHasAPlaceWithoutAFilm) {
+TEST_F(HostileInput, FilterErrorsAreLocatedWithoutAFilm) {
   file("scene.pbrt",
        "PixelFilter \"gaussian\" \"float alpha\" -1\nCamera \"perspective\"\nWorldBegin\n"
        "Shape \"sphere\"\nWorldEnd\n");

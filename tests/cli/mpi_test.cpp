@@ -21,7 +21,7 @@ class MpiCli : public Cli {
     std::vector<std::string> all{"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
                                  "OMPI_MCA_rmaps_base_oversubscribe=1",
                                  // Open MPI frees little, and its plug-ins are gone by then, so
-                                 // that no list of what is known to leak can name them.
+                                 // that no list of known leaks can name them.
                                  "ASAN_OPTIONS=detect_leaks=0:strict_string_checks=1", AJAR_MPIRUN,
                                  "-n", std::to_string(count), AJAR_PROGRAM};
     all.insert(all.end(), arguments.begin(), arguments.end());
@@ -33,14 +33,14 @@ class MpiCli : public Cli {
 #endif
 };
 
-TEST_F(MpiCli, TheProgramItselfHasNothingOfMpi) {
+TEST_F(MpiCli, ProgramDoesNotLinkMpi) {
   const std::string program = read_text(AJAR_PROGRAM);
   ASSERT_GT(program.size(), 1000U);
   EXPECT_FALSE(contains(program, "libmpi"));
   EXPECT_FALSE(contains(program, "MPI_Init"));
 }
 
-TEST_F(MpiCli, WithoutItsOtherHalfTheProgramRefusesToBeARank) {
+TEST_F(MpiCli, WithoutItsMpiModuleTheProgramRefusesToBeARank) {
   fs::copy_file(AJAR_PROGRAM, folder_ / "ajar");
   const std::string copy = (folder_ / "ajar").string();
   const Outcome outcome =
@@ -120,7 +120,7 @@ TEST_F(MpiCli, CheckpointsGoFromRanksToOneProcessAndBack) {
   EXPECT_EQ(bytes("a.pfm"), bytes("alone.pfm"));
 }
 
-TEST_F(MpiCli, WhatIsWrongIsToldOnceAndEndsAllRanks) {
+TEST_F(MpiCli, ErrorsAreReportedOnceAndEndAllRanks) {
   const Outcome outcome = run_ranks(2, {"render", "builtin:nowhere"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err.find("ajar: error:"), outcome.err.rfind("ajar: error:")) << outcome.err;

@@ -10,7 +10,7 @@
 #include "support/small_scenes.h"
 
 /// Every integrator, and sets of techniques that none has, against path tracing, block by block.
-/// Whoever adds an integrator to the registry has it tested here.
+/// New integrators of the registry are included.
 namespace ajar {
 namespace {
 
@@ -21,8 +21,8 @@ class Agreement : public ::testing::TestWithParam<test::SmallScene> {};
 
 /// Integrators that are not compared on some scenes, and why.
 bool is_exception(const std::string& integrator, const test::SmallScene& scene) {
-  if (integrator == "pt") return true;  // what others are compared with
-  // It cannot see mirrors and clear glass, and says so.
+  if (integrator == "pt") return true;  // the reference of others
+  // Light tracing cannot see mirrors and clear glass, and reports it.
   return integrator == "lt" && !scene.light_tracing_works;
 }
 
@@ -53,7 +53,7 @@ const std::vector<Variant>& variants() {
   return kVariants;
 }
 
-/// Per pixel, of path tracing and of what scatters most.
+/// Per pixel, of path tracing and of the noisiest methods.
 constexpr int kSamples = 512;
 
 test::RenderOptions options_of(const test::SmallScene& small) {

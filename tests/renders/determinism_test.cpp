@@ -43,7 +43,7 @@ TEST_P(SameBits, OnAnyNumberOfThreads) {
       parameters["bootstrap"] = "10000";
     }
     std::vector<std::vector<std::string>> layers = {{"albedo", "depth", "object-id"}};
-    // Which has as many camera samples everywhere with these.
+    // `selective` has uniform numbers of camera samples with these.
     if (info.name == "selective") layers.push_back({"density"});
     for (const std::vector<std::string>& aovs : layers) {
       const std::vector<std::int64_t> one = sums(*scene, info, 1, aovs, parameters);

@@ -82,7 +82,7 @@ TEST(MergedSeeds, HaveTheExpectationOfOneLongRender) {
     options.seed = 99;
     const test::Render whole = test::render(room(), options);
     const Replicates merged = replicates_of(merge_seeds(options, 1, {256, 128, 128}));
-    // Chains bring their error with them: replicates differ by more.
+    // Errors of chains are correlated: replicates differ by more.
     const double power = whole.counters.mutations > 0 ? 0.25 : 0.06;
     test::expect_same(merged, test::replicates_of(whole), *whole.film, power, integrator);
   }

@@ -4,9 +4,8 @@
 #include "support/render.h"
 #include "support/same_picture.h"
 
-/// What is kept for filters: of the light that chains make, another estimate
-/// (`LayerSpec::instead_of`), which they mix with theirs, and splats through boxes
-/// (`LayerSpec::box_of`).
+/// Layers for filters: another estimate of the light of chains (`LayerSpec::instead_of`), which
+/// they mix with the chains', and splats through boxes (`LayerSpec::box_of`).
 namespace ajar {
 namespace {
 
@@ -51,8 +50,8 @@ TEST(OtherEstimates, HaveTheExpectationOfThePicture) {
   }
 }
 
-/// Splats through boxes: of methods that have nothing else, to rounding what the film of a box
-/// has. (Camera samples are drawn from the filter.)
+/// Splats through boxes: of methods that have nothing else, equal to the film of a box up to
+/// rounding. (Camera samples are drawn from the filter.)
 TEST(ForFilters, SplatsHaveBoxes) {
   const auto scene_with = [](const std::string& filter) {
     return test::scene_from(
@@ -85,7 +84,7 @@ TEST(ForFilters, SplatsHaveBoxes) {
   EXPECT_LT(off, 1e-4 * all);
 }
 
-/// It is beside the picture, not in it: to the bit what is rendered without.
+/// Other estimates are beside the picture: to the bit the picture without them.
 TEST(OtherEstimates, LeaveThePictureAsItWas) {
   const test::KnownPicture known = test::known_picture("GlassAndMetal", 16);
   test::RenderOptions options = known.options;

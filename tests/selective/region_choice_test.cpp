@@ -116,7 +116,7 @@ TEST_F(RegionChoiceTest, NoSingleSampleTurnsTheDecision) {
   }
 }
 
-TEST_F(RegionChoiceTest, SeveralSamplesDo) {
+TEST_F(RegionChoiceTest, SeveralSamplesTurnTheDecision) {
   constexpr double kFair = 5.0;
   const double before = threshold(kFair);
   for (std::size_t i = 0; i < found_.size(); i += 49) found_[i] = path(i, 100.F);

@@ -49,7 +49,7 @@ class HandedBack final : public OutlierSinkFactory {
   };
 };
 
-/// Ordinary Monte Carlo with rates that are random, and change once, and random guesses.
+/// Ordinary Monte Carlo with rates that are random, and change once, and random control variates.
 test::Render render_with_random_rates(const Scene& scene, const test::RenderOptions& options,
                                       const std::string& techniques, SampleRates& rates,
                                       const Divisions* divisions,
@@ -89,7 +89,7 @@ TEST(SampleRates, ChangeNoExpectation) {
   }
 }
 
-/// Of the pixels of three renders, and how many camera samples these took.
+/// Error of the pixels of three renders, and their number of camera samples.
 struct ErrorAndSamples {
   double error = 0.0;
   std::uint64_t samples = 0;

@@ -159,10 +159,10 @@ MeanAndError truth_of(const Scene& scene, test::RenderOptions options) {
   return summary(means(scene, options, 8));
 }
 
-// Pixels that show two objects count as one of them, whatever the picture's own samples see there:
+// Pixels that show two objects count as one of them, independently of the picture's own samples:
 // when those voted, the ones that saw the brighter object were weighed by its map, and the picture
 // was 0.11 too bright.
-TEST(Selective, RegionsDoNotFollowFromSamplesThatStay) {
+TEST(Selective, RegionsAreIndependentOfKeptSamples) {
   const auto scene = test::stripes(
       16, 12,
       "LightSource \"point\" \"point from\" [0 12 -6] \"rgb I\" [100 100 100]\n"
@@ -191,7 +191,7 @@ std::string quad(const std::string& points) {
   return "Shape \"trianglemesh\" \"point P\" [" + points + "] \"integer indices\" [0 2 1 0 3 2]\n";
 }
 
-/// Two boxes without lids, side by side, in the left one a wide lamp; and what else there is.
+/// Two boxes without lids, side by side, in the left one a wide lamp; and `rest`.
 std::unique_ptr<Scene> scene_of_two_boxes(const std::string& lamps, const std::string& rest) {
   return test::scene_from(test::pbrt_scene(
       "LookAt 0 3.5 -4.5  0 0.3 0.4  0 1 0 Camera \"perspective\" \"float fov\" [40]", 24, 12,
@@ -276,9 +276,8 @@ OfHalves halves_of_seeds(const Scene& scene, test::RenderOptions options, std::u
   return {summary(lefts), summary(rights)};
 }
 
-// Whatever kind of chain makes which paths: none is made twice, and none is left out. A tenth of
-// either half would show.
-TEST(Selective, SharesPathsAmongChainsByWhatTheyAreLike) {
+// Classes of chains partition the paths: none is made twice, and none is left out.
+TEST(Selective, DividesPathsAmongChainsByTheirClass) {
   const auto scene = scene_of_panes();
   test::RenderOptions options;
   options.min_depth = 4;
@@ -388,7 +387,7 @@ TEST(Selective, TakesTheUsersRules) {
   }
 }
 
-TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
+TEST(Selective, UpdatesThePriceOfRaysFromItsSamples) {
   const auto scene = small_scene("Room");
   const auto price_after = [&](std::uint64_t samples) {
     test::RenderOptions options = selective_options(samples);

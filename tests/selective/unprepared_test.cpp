@@ -14,7 +14,7 @@ namespace {
 struct Case {
   std::string integrator;
   std::map<std::string, std::string> parameters;
-  int rounds;  ///< that are run before, of those there are
+  int rounds;  ///< rounds that are run before the skip
 };
 
 int rounds_of(const Scene& scene, const test::RenderOptions& options) {
@@ -26,8 +26,7 @@ int rounds_of(const Scene& scene, const test::RenderOptions& options) {
   return static_cast<int>(preparation.rounds());
 }
 
-/// Chains that could not be prepared leave the whole picture to ordinary Monte Carlo, whatever
-/// they would have made.
+/// Chains that could not be prepared leave the whole picture to ordinary Monte Carlo, for any plan.
 TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
   const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
   test::RenderOptions options;

@@ -13,7 +13,7 @@ bool has_chains(const std::string& method);
 std::map<std::string, std::string> those_without_chains(const std::string& reason);
 
 bool has_parameter(const std::string& method, const std::string& parameter);
-/// What GoogleTest takes for a name.
+/// Valid name for GoogleTest.
 std::string name_for_tests(std::string method);
 
 }  // namespace ajar::test

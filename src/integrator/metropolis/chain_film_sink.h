@@ -16,7 +16,7 @@ inline const std::string kAcceptanceLayer = "acceptance";
 inline bool is_chain_layer(const std::string& name) {
   return name == kDensityLayer || name == kAcceptanceLayer;
 }
-/// Those of them that are asked for.
+/// Adds the requested ones.
 void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::string>& aovs);
 
 /// Learns where chains are. Thread-safe.

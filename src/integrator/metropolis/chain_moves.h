@@ -11,10 +11,10 @@
 
 namespace ajar {
 
-/// How chains in primary sample space move, as users say it: the parameters of the published
-/// methods (Kelemen et al. 2002; Hachisuka et al. 2014), and what comes of them.
+/// Moves of chains in primary sample space: the parameters of the published methods (Kelemen et al.
+/// 2002; Hachisuka et al. 2014), and their settings.
 struct ChainMoves {
-  /// Of the parameters of these names.
+  /// Defaults of the parameters of these names.
   struct Defaults {
     std::string mutation = "kelemen";
     std::string large_step = "0.3";

@@ -85,7 +85,7 @@ class EnergyRedistribution final : public ChainMethod {
   std::uint64_t length_;
   double most_chains_;
   Space space_;
-  std::vector<Measured> populations_;  ///< of the bootstrap: one per replicate
+  std::vector<Measured> populations_;  ///< populations of the bootstrap: one per replicate
   std::vector<SampleBlock> blocks_;
   std::vector<Moments> b_;  ///< by replicate
   double mean_ = 0.0;       ///< over all of them: e_d
@@ -271,7 +271,7 @@ void EnergyRedistribution<Space>::take_news(InputArchive& archive, const WorkSha
 /// Chains as short as that need no fresh paths.
 const ChainMoves::Defaults kMoves{.large_step = "0.001"};
 
-/// Of chains of one kind.
+/// A parameter of chains of one kind.
 ParameterSpec only_with(const char* chain, ParameterSpec spec) {
   spec.depends_on = "chain";
   spec.matters_for = {chain};

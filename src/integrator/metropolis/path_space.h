@@ -38,7 +38,7 @@ class PathSpace {
  public:
   using Member = PathMember;
 
-  /// Those of `path_mutation_parameters`. Raises UsageError.
+  /// Weights by `path_mutation_parameters`. Raises UsageError.
   explicit PathSpace(const Parameters& parameters) : weights_(path_mutation_weights(parameters)) {}
 
   static std::span<const Move> moves() { return path_moves(); }

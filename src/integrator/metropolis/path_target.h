@@ -32,8 +32,8 @@ constexpr std::int32_t splat_layer(int depth) { return depth <= 2 ? kDirectSplat
 /// Σ luminance · importance over splats: the contribution function I.
 double contribution(std::span<const Splat> splats, const ImportanceMap& importance);
 
-/// Whether light subpaths end on the lens and are joined to nothing else: then a sample has one
-/// that no camera subpath asks for.
+/// True if light subpaths are connected to the lens only: then a sample has one without a camera
+/// subpath.
 bool traces_light_alone(const PathSamplerSettings& settings);
 
 /// The number of `Stream::Connection`, vertex 0, that chooses the technique of a state.
@@ -113,13 +113,13 @@ class OnePathTarget final : public PathTarget {
  private:
   /// One half of a path: the vertex it ends with, if it gets there.
   struct Half {
-    int vertices = 0;  ///< that it was traced for; 0: not known
+    int vertices = 0;  ///< number of vertices of its trace; 0: not known
     int lane = 0;      ///< by which it was traced
     bool complete = false;
     PathVertex end;
   };
-  /// What is current and what is proposed change places without a copy: ends are large, and those
-  /// never reached hold nothing that may be read.
+  /// Current and proposed halves are swapped without a copy: ends are large, and those never
+  /// reached hold nothing that may be read.
   struct Halves {
     Half& current() { return both[now]; }
     Half& proposal() { return both[1 - now]; }

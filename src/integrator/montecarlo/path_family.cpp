@@ -127,7 +127,7 @@ class PathIntegrator final : public Integrator {
     return index * pixels + pixel_number;
   }
 
-  /// The light's sequence is cut where its 32-bit index would overflow; each stretch has its own
+  /// The light's sequence is cut where its 32-bit index would overflow; each part has its own
   /// scrambling.
   std::uint64_t light_seed(std::uint64_t replicate, std::uint64_t light_number) const {
     return hash_numbers(settings_.seed, replicate, RandomUse::LightSubpaths, light_number >> 32U);
@@ -141,8 +141,8 @@ class PathIntegrator final : public Integrator {
             .light_index = static_cast<std::uint32_t>(number)};
   }
 
-  /// Of a light subpath that belongs to no camera path; it makes its connections by numbers of its
-  /// own, too.
+  /// Identity of a light subpath that belongs to no camera path; it makes its connections by
+  /// numbers of its own, too.
   SampleIdentity light_identity(std::uint64_t replicate, std::uint64_t light_number) const {
     const std::uint64_t seed = light_seed(replicate, light_number);
     const auto index = static_cast<std::uint32_t>(light_number);

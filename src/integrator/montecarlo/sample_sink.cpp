@@ -193,7 +193,7 @@ void SampleSink::discard(const Contribution& contribution) {
                               std::to_string(contribution.technique.t) +
                               "); to replay it: the same scene and resolution with --seed " +
                               std::to_string(seed_) + " --spp " + std::to_string(sample_ + 1);
-  // Light subpaths belong to the whole picture, so only what hangs on a camera path alone can be
+  // Light subpaths belong to the whole picture, so only contributions of a camera path alone can be
   // replayed in a crop.
   if (contribution.technique.s <= 1) {
     counters_.first_discarded += " --crop " + x + "," + y + "," + std::to_string(pixel_.x + 1) +

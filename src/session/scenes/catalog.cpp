@@ -169,7 +169,7 @@ std::string condition_text(const ParameterSpec& spec) {
   return fmt::format("  with {}={}", spec.depends_on, fmt::join(spec.matters_for, "|"));
 }
 
-/// What follows the name of a parameter: "=0.5 degrees  [number, between 0 and 90]".
+/// Description behind the name of a parameter: "=0.5 degrees  [number, between 0 and 90]".
 std::string value_text(const ParameterSpec& spec) {
   const bool has_default = !spec.default_value.empty() || spec.type == ParameterType::Text;
   const std::string value = has_default ? "=" + spec.default_value : "";
