@@ -93,6 +93,7 @@ ajar_compile_quickly(ajar_measuring_test)
 add_test(NAME measuring COMMAND ajar_measuring_test)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME finished_table COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/bench/finished_table_test.py)
+add_test(NAME comments COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/cmake/check_comments.py --self-test)
 
 # Counting allocations replaces operator new, so only the program that reports them has it.
 add_executable(ajar_limit_bench bench/limit_bench.cpp bench/allocations.cpp)

@@ -15,7 +15,7 @@
 /// that.
 namespace ajar {
 
-/// How values of channels are kept. Whole numbers stand for the range from 0 to 1.
+/// Type of the values of channels. Whole numbers stand for the range from 0 to 1.
 enum class SampleType { UInt8, UInt16, Half, Float };
 
 inline std::size_t size_of(SampleType type) {
@@ -31,20 +31,19 @@ constexpr SampleType sample_type_of() {
   return SampleType::Float;
 }
 
-/// What an image file says of its pixels.
+/// Claims of an image file about its pixels.
 struct ImageHeader {
   int width = 0;
   int height = 0;
   int channels = 0;
-  std::vector<std::string> names;  ///< of the channels, "R", "albedo.R", …
+  std::vector<std::string> names;  ///< names of the channels, "R", "albedo.R", …
   int alpha_channel = -1;          ///< -1: there is none
   SampleType type = SampleType::Float;
   bool is_integer = false;
-  /// Whether its red, green and blue are said to be others than those of Rec. 709, as which all
-  /// colours are taken.
+  /// True if it names other primaries than those of Rec. 709, as which all colours are taken.
   bool has_other_primaries = false;
-  Vec2i origin{0, 0};      ///< of the first pixel in the whole picture
-  Vec2i resolution{0, 0};  ///< of the whole picture
+  Vec2i origin{0, 0};      ///< place of the first pixel in the whole picture
+  Vec2i resolution{0, 0};  ///< size of the whole picture
   std::map<std::string, std::string> texts;
 
   std::uint64_t pixels() const {
@@ -63,11 +62,11 @@ class ImageDecoder {
   const ImageHeader& header() const { return header_; }
   /// More pixels cannot be packed into a byte of the file.
   virtual double most_pixels_per_byte() const = 0;
-  /// Of a pixel with all its channels, as the decoder keeps it.
+  /// Size of a pixel with all its channels, as the decoder keeps it.
   virtual std::uint64_t pixel_bytes() const = 0;
-  /// Whether it is read row by row, or block by block; else it is made as a whole.
+  /// True if it is read row by row, or block by block; else as a whole.
   virtual bool is_read_in_parts() const = 0;
-  /// What is taken at most while rows are turned into what is asked for.
+  /// Most memory that reading rows takes beside them.
   virtual std::uint64_t working_bytes() const = 0;
   /// Rows that the file keeps together.
   virtual int block_height() const { return 64; }
@@ -78,7 +77,7 @@ class ImageDecoder {
                          void* values) = 0;
 
  protected:
-  /// Of a picture by itself, with the usual channels: Y, or R, G and B; and A if their number is
+  /// Fills the header for the usual channels: Y, or R, G and B; and A if their number is
   /// even.
   void describe_pixels(int width, int height, int channels, SampleType type);
   /// Takes some channels out of a row that has them all, of the type that the header says, as they
@@ -87,8 +86,8 @@ class ImageDecoder {
   void pick(const void* row, int first_channel, int channels, SampleType type, void*& to) const;
 
   ImageHeader header_;
-  int row_channels_ = 0;     ///< of rows to pick from, which may have more than the header says
-  bool multiplies_ = false;  ///< what it picks, with alpha
+  int row_channels_ = 0;     ///< channels of rows to pick from, which may be more than the header's
+  bool multiplies_ = false;  ///< multiplies the colours that it picks with alpha
 };
 
 /// Opens the first image of a file; what a file begins with says of which format it is.

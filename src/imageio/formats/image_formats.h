@@ -33,7 +33,7 @@ File open_file(const std::string& path);
 namespace packing {
 inline constexpr double kUnpacked = 8.0;
 inline constexpr double kRuns = 8.0 * 64.0;       ///< PackBits and the like
-inline constexpr double kDeflate = 8.0 * 1032.0;  ///< it makes at most so many bytes of one
+inline constexpr double kDeflate = 8.0 * 1032.0;  ///< largest expansion of a byte
 inline constexpr double kUnknown = 1 << 20;       ///< fax code spends a bit on a white row
 }  // namespace packing
 

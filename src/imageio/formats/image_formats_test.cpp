@@ -160,7 +160,7 @@ RowSource<T> rows_of(const TestImage<T>& image) {
   return [&image](int y, T* row) { std::copy_n(image.at(0, y), image.row(), row); };
 }
 
-/// What stb_image makes of the same file; empty if it cannot read it.
+/// Pixels of the same file as stb_image decodes it; empty if it cannot read it.
 template <typename T>
 TestImage<T> read_by_stb(const std::string& path, int channels) {
   TestImage<T> image{0, 0, channels, {}};
@@ -198,7 +198,7 @@ void expect_nearly_as_stb(const std::string& path, int furthest) {
   EXPECT_LE(largest, furthest) << path;
 }
 
-/// Likewise of one, three or, for printing, four channels.
+/// Writes a JPEG of one, three or, for printing, four channels.
 std::string jpeg_of(const std::string& path, const TestImage<std::uint8_t>& image,
                     J_COLOR_SPACE colors, J_COLOR_SPACE stored, bool is_progressive,
                     bool is_subsampled, bool has_adobe_marker = true) {
@@ -341,7 +341,7 @@ TEST_F(ImageFormats, WriteWhatOthersRead) {
   }
 }
 
-/// Of every kind that PNG has: a palette of four colours, grey of a few bits, a colour that is
+/// Writes any kind of PNG: a palette of four colours, grey of a few bits, a colour that is
 /// transparent, rows in seven parts.
 std::string png_kind_of(const std::string& path, int type, int bits, bool interlaced,
                         bool transparent) {
@@ -418,7 +418,7 @@ TEST_F(ImageFormats, MultiplyWithAlphaUnlessTold) {
   for (const std::string name : {"a.png", "a.webp", "a.bmp", "a.tga", "a.tif"}) {
     const Pixels with = pixels_of(path(name), false);
     const Pixels without = pixels_of(path(name), true);
-    // Of what nobody sees, WebP keeps no colours.
+    // WebP drops the colours of transparent pixels.
     if (name != "a.webp") {
       EXPECT_EQ(without.stored, image.values) << name;
     }

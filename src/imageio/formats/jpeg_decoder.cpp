@@ -56,7 +56,7 @@ class JpegReader {
     codec_.progress = &progress_;
   }
   bool is_cmyk() const { return codec_.out_color_space == JCS_CMYK; }
-  /// What inks leave of white, in the place of the inks. Adobe's programs write them inverted.
+  /// Replaces inks by the light that they leave of white. Adobe's programs write them inverted.
   void make_rgb(unsigned char* row) const {
     constexpr int kWhole = 255;
     const int flip = codec_.saw_Adobe_marker != 0 ? 0 : kWhole;
@@ -88,7 +88,7 @@ class JpegDecoder final : public RowByRowDecoder {
   std::uint64_t pixel_bytes() const override { return header().names.size(); }
   bool is_read_in_parts() const override { return true; }
   std::uint64_t working_bytes() const override {
-    // Of a progressive file all coefficients are kept.
+    // All coefficients of a progressive file are kept.
     constexpr std::uint64_t kCoefficient = sizeof(JCOEF);
     constexpr std::uint64_t kRows = 64;
     return reader_->has_several_scans() ? header().pixels() * pixel_bytes() * kCoefficient

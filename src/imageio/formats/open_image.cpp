@@ -18,7 +18,7 @@ struct Signature {
   std::string_view format;
 };
 using namespace std::string_view_literals;
-/// Of formats that are not read, for the message.
+/// Signatures of formats that are not read, for the message.
 constexpr std::array<Signature, 10> kOthers = {{{"GIF"sv, "a GIF"sv},
                                                 {"8BPS"sv, "a PSD"sv},
                                                 {"DDS "sv, "a DDS"sv},

@@ -53,7 +53,7 @@ class TiffFile {
   std::string complaint_ = "libtiff does not say why";
 };
 
-/// What its tags say.
+/// Values of its tags.
 struct TiffTags {
   int width, height;
   int samples, bits, format;
@@ -84,7 +84,7 @@ struct TiffTags {
   bool is_integer() const { return format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_VOID; }
   bool is_float() const { return format == SAMPLEFORMAT_IEEEFP; }
   bool is_gray() const { return colors == PHOTOMETRIC_MINISBLACK; }
-  /// Whether its samples are what a picture is made of.
+  /// True if its samples are grey or RGB of a type that is kept.
   bool is_plain() const {
     return ((is_gray() && samples >= 1) || (colors == PHOTOMETRIC_RGB && samples >= 3)) &&
            ((is_integer() && (bits == 8 || bits == 16)) ||
@@ -128,7 +128,7 @@ struct TiffBlock {
                                              : TIFFVStripSize(file.get(), rows(tags)));
     if (width < 1 || height < 1 || bytes == 0) file.fail();
   }
-  /// Those of the picture.
+  /// Rows of a block, without those beyond the picture.
   std::uint32_t rows(const TiffTags& tags) const {
     return static_cast<std::uint32_t>(std::min(height, tags.height));
   }
@@ -204,7 +204,7 @@ class TiffDecoder final : public ImageDecoder {
   std::size_t row_bytes() const {
     return static_cast<std::size_t>(header().width) * static_cast<std::size_t>(pixel_bytes());
   }
-  /// Of a block, of all samples or those of a plane.
+  /// Size of a row of a block, with all samples or those of a plane.
   std::size_t stored_row_bytes() const {
     const std::uint64_t pixel = tags_.has_planes ? size_of(header().type) : pixel_bytes();
     return static_cast<std::size_t>(block_.width) * static_cast<std::size_t>(pixel);
