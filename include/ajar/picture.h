@@ -17,6 +17,9 @@ struct Display {
 /// A picture with all its layers. Copies share their pixels, which never change.
 class Picture {
  public:
+  /// A scene-linear picture of a file: `.exr` with its layers, `.hdr`, `.pfm`. Raises Error.
+  static Picture load(const std::string& path);
+
   // Of the pixels that were rendered: all, or those of the crop window.
   int width() const;
   int height() const;
