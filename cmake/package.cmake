@@ -1,6 +1,5 @@
 # The library for programs of others: the headers of include/ajar, one static library made of all rooms up to here, and a
 # CMake package by which find_package(ajar) offers it as ajar::ajar.
-target_include_directories(ajar_api PUBLIC ${CMAKE_SOURCE_DIR}/include)
 target_compile_definitions(ajar_api PRIVATE AJAR_IMPLEMENTATION)
 
 get_property(rooms GLOBAL PROPERTY ajar_rooms)

@@ -77,7 +77,7 @@ class Base {
     const std::string path = fuzz::private_file({}, ".checkpoint");
     std::filesystem::remove(path);
     RenderOrder order = render_until(kSamples);
-    order.files.checkpoint = path;
+    order.spec.checkpoint = path;
     Render(std::move(order)).run();
     std::ifstream file(path, std::ios::binary);
     bytes_.assign(std::istreambuf_iterator<char>(file), {});
@@ -90,7 +90,7 @@ class Base {
     RenderOrder order = render_until(checkpoint.job.samples_per_pixel + 8);
     order.resumed = std::move(checkpoint);
     order.resumed_from = "fuzz.checkpoint";
-    order.force = true;
+    order.spec.force = true;
     Render(std::move(order)).run();
   }
 
@@ -99,13 +99,13 @@ class Base {
     RenderOrder order;
     order.scene = "fuzz.pbrt";
     order.loaded = scene_;
-    RenderRequest& request = order.request.emplace();
-    request.integrator = method_.integrator;
-    request.parameters = method_.parameters;
-    request.budget.samples_per_pixel = samples;
-    request.depth.maximum = 5;
-    request.aovs = {"object-id", "standard-error"};
-    order.threads = 1;
+    RenderSpec& spec = order.spec;
+    spec.integrator = method_.integrator;
+    spec.parameters = method_.parameters;
+    spec.samples_per_pixel = samples;
+    spec.max_depth = 5;
+    spec.layers = {"object-id", "standard-error"};
+    order.spec.threads = 1;
     return order;
   }
 
@@ -206,7 +206,7 @@ void show(Checkpoint checkpoint) {
   const Development scales = checkpoint.scales;
   const std::uint64_t samples = checkpoint.job.mean_samples();
   const double film_scale = checkpoint.render.film_scale;
-  const std::vector<std::string> aovs = checkpoint.render.aovs;
+  const std::vector<std::string> aovs = checkpoint.render.spec.layers;
   const Film film = film_of(checkpoint, Filter::box(), "fuzz.checkpoint");
   develop(film, scales, samples, film_scale, aovs);
 }
@@ -219,8 +219,8 @@ void merge_with_itself(const Checkpoint& checkpoint) {
   show(merge({{"a", checkpoint}, {"b", std::move(other)}}, true));
   Checkpoint first = checkpoint;
   Checkpoint second = checkpoint;
-  first.render.share = {0, 2};
-  second.render.share = {1, 2};
+  first.render.spec.share = {0, 2};
+  second.render.spec.share = {1, 2};
   show(merge({{"a", std::move(first)}, {"b", std::move(second)}}, true));
 }
 

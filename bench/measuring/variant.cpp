@@ -31,14 +31,15 @@ RenderOrder order_of(const Variant& variant, desc::SceneDesc description,
   RenderOrder order;
   order.scene = description.source;
   order.loaded = std::make_shared<LoadedScene>(std::move(description));
-  RenderRequest& request = order.request.emplace();
-  request.integrator = variant.integrator->name;
-  request.parameters = variant.parameters.given();
-  request.budget.seconds = seconds;
-  request.depth = {settings.min_depth, settings.max_depth};
-  request.resolution = settings.resolution;
-  request.crop = CropWindow{{0.0, 0.0, 1.0, 1.0}, true};
-  request.seed = settings.seed;
+  RenderSpec& spec = order.spec;
+  spec.integrator = variant.integrator->name;
+  spec.parameters = variant.parameters.given();
+  spec.seconds = seconds;
+  spec.min_depth = settings.min_depth;
+  spec.max_depth = settings.max_depth;
+  spec.resolution = {settings.resolution.x, settings.resolution.y};
+  spec.crop_window = CropWindow{{0.0, 0.0, 1.0, 1.0}, true};
+  spec.seed = settings.seed;
   return order;
 }
 

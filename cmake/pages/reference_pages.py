@@ -124,6 +124,15 @@ def command_page(program):
     return text + "\n## Exit codes\n\n" + table(("code", "meaning"), program.exit_codes)
 
 
+def settings_page(options):
+    rows = [(code(o["name"]), code(o["flag"] or ""), in_cell(o["summary"]), in_cell(o["default"]),
+             "yes" if o["decides_picture"] else "", "yes" if o["kept_by_checkpoints"] else "")
+            for o in options if o["in_settings"]]
+    return (f"{HEAD}# Settings\n\nWhat programs can ask of a render: members of `Settings` in C++ and of the JSON in C, and "
+            "what they are on the command line.\n\n"
+            + table(("setting", "option", "meaning", "default", "decides the bits", "kept by checkpoints"), rows))
+
+
 # ---------------------------------------------------------------- all pages
 
 
@@ -141,6 +150,9 @@ def pages(path):
             listed["lights"] + listed["emissions"]),
         "layers.md": f"{HEAD}# Layers\n\nFor `--aov NAME,…`.\n\n" + table(
             ("layer", "what it shows"), [(code(a["name"]), in_cell(a["summary"])) for a in listed["aovs"]]),
+        "settings.md": settings_page(listed["options"]),
+        "counters.md": f"{HEAD}# Counters\n\nNumbers of events in `--stats`; a dot leads into an object.\n\n" + table(
+            ("counter", "counts"), [(code(c["name"]), in_cell(c["summary"])) for c in listed["counters"]]),
         "scenes.md": f"{HEAD}# Built-in scenes\n\n`ajar render NAME` renders one.\n\n" + table(
             ("scene", "what it shows"), [(code(s["name"]), in_cell(s["summary"])) for s in listed["scenes"]]),
     }

@@ -9,12 +9,8 @@ import sys
 
 import program_help
 
-# Options of which the values are a kind of `ajar list`.
-KINDS = {"--integrator": "integrators", "--aov": "aovs"}
-# Of which they are words of their own.
-WORDS = {"--denoise": ["auto", "oidn", "builtin", "none"], "--tone-map": ["srgb", "filmic"],
-         "--progress": ["auto", "plain", "json", "none"], "--exposure": ["auto"]}
-NOT_KINDS_TO_NAME = ("aovs", "formats", "scenes")
+# Values of options of the program itself; those of renders are in `ajar list options`.
+WORDS = {"--progress": ["auto", "plain", "json", "none"]}
 
 
 def names(program, kind):
@@ -23,11 +19,10 @@ def names(program, kind):
 
 def values_of(program, flag):
     """Words that an option may have; none where anything else goes, such as a file or a number."""
-    if flag in KINDS:
-        return names(program, KINDS[flag])
     if flag == "--set":
         return sorted({p["name"] + "=" for i in program.listed["integrators"] for p in i["parameters"]})
-    return WORDS.get(flag, [])
+    choices = {option["flag"]: option["choices"] for option in program.listed["options"]}
+    return choices.get(flag) or WORDS.get(flag, [])
 
 
 def places_of(program, command):

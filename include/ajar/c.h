@@ -51,7 +51,7 @@ typedef struct ajar_render ajar_render;
 typedef struct ajar_picture ajar_picture;
 
 /* Grows with every function or member of JSON that is added. */
-#define AJAR_C_VERSION 2
+#define AJAR_C_VERSION 3
 AJAR_API int ajar_c_version(void);
 /* Of the library, such as "0.2.0". */
 AJAR_API const char* ajar_version(void);

@@ -17,4 +17,10 @@ struct Choice {
 std::vector<Choice> integrators();
 /// Names for `Scene::load`, with their "builtin:".
 std::vector<Choice> builtin_scenes();
+/// All names of a kind, as `ajar list KIND --json` has them. Raises Error for a kind that is
+/// none.
+std::string catalog(const std::string& kind);
+/// Raises the Error that a node of a scene would be refused with, `{"model": …, "parameters": …}`;
+/// `kind` is material, texture, light, emission or shape.
+void check_node(const std::string& kind, const std::string& node);
 }  // namespace ajar::AJAR_INTERFACE

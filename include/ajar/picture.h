@@ -17,6 +17,9 @@ struct Display {
 /// A picture with all its layers. Copies share their pixels, which never change.
 class Picture {
  public:
+  /// A scene-linear picture of a file: `.exr` with its layers, `.hdr`, `.pfm`. Raises Error.
+  static Picture load(const std::string& path);
+
   // Size in pixels: the whole picture, or the crop window.
   int width() const;
   int height() const;

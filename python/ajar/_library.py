@@ -9,7 +9,7 @@ import reprlib
 
 from ._errors import UsageError, error_of
 
-_C_VERSION = 2
+_C_VERSION = 3
 
 
 class Array(ctypes.Structure):

@@ -4,6 +4,7 @@ import atexit
 import collections.abc
 import ctypes
 import dataclasses
+import functools
 import json
 import os
 import typing
@@ -12,6 +13,7 @@ import weakref
 
 import numpy
 
+from ._catalog import catalog
 from ._errors import UsageError
 from ._library import Handle, call, call_for_handle, call_for_json
 from ._nodes import calling_place, plain_value, shown
@@ -23,19 +25,13 @@ _PATIENCE = 0.1
 # What is called otherwise here than in the library.
 _NAMES = {"time": "seconds", "spp": "samples_per_pixel"}
 _OUR_NAMES = {"seconds": "time", "samples_per_pixel": "spp", "min_depth": "depth", "max_depth": "depth"}
-_SETTINGS = (
-    "integrator",
-    "target_error",
-    "resolution",
-    "scale",
-    "crop",
-    "filter",
-    "layers",
-    "seed",
-    "threads",
-    "checkpoint_every",
-    "resume",
-)
+
+
+@functools.lru_cache(maxsize=None)
+def _settings():
+    """Names of the library's settings that have none of their own here."""
+    return {option["name"] for option in catalog("options") if option["in_settings"]} - set(_OUR_NAMES)
+
 
 _running = weakref.WeakSet()
 
@@ -90,8 +86,6 @@ def settings_json(given):
             continue
         if name in _NAMES:
             settings[_NAMES[name]] = plain_value(value, name)
-        elif name in _SETTINGS:
-            settings[name] = plain_value(value, name)
         elif name == "checkpoint":
             settings[name] = _checkpoint(value)
         elif name == "depth":
@@ -105,6 +99,8 @@ def settings_json(given):
                 raise TypeError(f"parameters: names and values of the integrator's, not {shown(value)}")
             for key, item in value.items():
                 settings["parameters"][plain_value(key, name)] = _text_of(item, str(key))
+        elif name in _settings():
+            settings[name] = plain_value(value, name)
         else:
             settings["parameters"][name] = _text_of(value, name)
     if isinstance(settings.get("layers"), str):

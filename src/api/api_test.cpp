@@ -252,6 +252,54 @@ TEST(Interface, TellsWhereACheckpointWentThatCouldNotBeWritten) {
   fs::remove_all(folder);
 }
 
+TEST(Interface, DescribesChangesAndComparesScenes) {
+  const std::vector<float> corners = {-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1};
+  const std::vector<std::uint32_t> triangles = {0, 2, 1, 0, 3, 2};
+  const std::vector<ajar::Array> arrays = {{corners.data(), ajar::Array::Type::Float32, {4, 3}},
+                                           {triangles.data(), ajar::Array::Type::UInt32, {2, 3}}};
+  const ajar::Scene grey = ajar::Scene::describe(R"({
+      "source": "floor", "film": {"resolution": [24, 18]},
+      "camera": {"model": "perspective", "fov": 40,
+                 "to_world": [1,0,0,0, 0,0,-1,4, 0,-1,0,0, 0,0,0,1]},
+      "materials": [{"name": "matt", "model": "diffuse", "parameters": {"reflectance": 0.5}}],
+      "shapes": [{"model": "mesh", "parameters": {"mesh": {"positions": 0, "indices": 1}},
+                  "material": 0}],
+      "lights": [{"model": "environment", "parameters": {"radiance": 1}}]})",
+                                                 arrays);
+  EXPECT_EQ(grey.name(), "floor");
+  EXPECT_NE(grey.parts().find("\"matt\""), std::string::npos);
+  const ajar::Scene dark = grey.changed(R"({"edits": [
+      {"kind": "material", "which": "matt", "parameters": {"reflectance": 0.25}}]})");
+  namespace fs = std::filesystem;
+  const fs::path folder =
+      fs::temp_directory_path() / ("ajar-api-compare-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const auto saved = [&](const ajar::Scene& scene, const char* name) {
+    const std::string path = (folder / name).string();
+    ajar::render(scene, small_settings()).save(path);
+    return path;
+  };
+  const std::string reference = saved(grey, "grey.exr");
+  const std::string picture = saved(dark, "dark.exr");
+  const std::string same = ajar::compare(reference, {reference}, {"mse"});
+  EXPECT_NE(same.find("\"mse\":0.0"), std::string::npos) << same;
+  const std::string other = ajar::compare(reference, {picture}, {"mse"});
+  EXPECT_EQ(other.find("\"mse\":0.0,"), std::string::npos) << other;
+  EXPECT_EQ(ajar::Picture::load(reference).width(), 24);
+  fs::remove_all(folder);
+
+  ajar::check_node("material", R"({"model": "diffuse"})");
+  EXPECT_NE(ajar::catalog("materials").find("\"diffuse\""), std::string::npos);
+  using Kind = ajar::Error::Kind;
+  EXPECT_EQ(raised([&] { grey.changed("{}", std::vector<ajar::Array>(1)); }), Kind::Usage);
+  EXPECT_EQ(raised([&] { grey.changed(R"({"edits": [{"kind": "light", "which": 7}]})"); }),
+            Kind::Scene);
+  EXPECT_EQ(raised([] { ajar::check_node("material", R"({"model": "difuse"})"); }), Kind::Scene);
+  EXPECT_EQ(raised([] { ajar::catalog("material"); }), Kind::Usage);
+  EXPECT_EQ(raised([] { ajar::Picture::load("/no/such.exr"); }), Kind::File);
+  EXPECT_EQ(raised([&] { ajar::compare("/no/such.exr", {"/no/such.exr"}); }), Kind::File);
+}
+
 TEST(Interface, TellsWhatIsWrong) {
   EXPECT_EQ(raised([] { ajar::Scene::load("/no/such/scene.pbrt"); }), ajar::Error::Kind::File);
   EXPECT_EQ(raised([] { ajar::Scene::load("builtin:none"); }), ajar::Error::Kind::Usage);

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
@@ -26,6 +27,11 @@ struct Picture::Content {
 
 inline Picture public_picture(std::shared_ptr<const ajar::Picture> picture) {
   return Picture(std::make_shared<const Picture::Content>(Picture::Content{std::move(picture)}));
+}
+
+/// Names of files need not be UTF-8.
+inline std::string json_text(const nlohmann::ordered_json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 /// Calls `work`; errors that leave it are those of the interface.

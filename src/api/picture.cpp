@@ -5,6 +5,7 @@
 
 #include "api/contents.h"
 #include "imageio/image_file.h"
+#include "imageio/read_picture.h"
 #include "session/options/limits.h"
 #include "session/output/write_picture.h"
 
@@ -24,6 +25,11 @@ const ajar::Picture::Layer& find_layer(const ajar::Picture& picture, const std::
 }  // namespace
 
 Picture::Picture(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+Picture Picture::load(const std::string& path) {
+  return with_public_errors(
+      [&] { return public_picture(std::make_shared<const ajar::Picture>(read_picture(path))); });
+}
 
 int Picture::width() const { return content_->picture->crop.size().x + 1; }
 int Picture::height() const { return content_->picture->crop.size().y + 1; }

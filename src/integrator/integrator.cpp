@@ -13,7 +13,7 @@ RenderSettings in_edges(RenderSettings settings, const Scene& scene) {
 }
 
 Counters& Counters::operator+=(const Counters& other) {
-  for (const auto number : kEventCounts) this->*number += other.*number;
+  for (const auto& count : kEventCounts) this->*count.number += other.*count.number;
   techniques += other.techniques;
   if (first_discarded.empty()) first_discarded = other.first_discarded;
   return *this;

@@ -44,24 +44,33 @@ struct RenderSettings {
 RenderSettings in_edges(RenderSettings settings, const Scene& scene);
 inline constexpr int kMostUncounted = 32;
 
-/// Numbers of events, which add up.
+/// Numbers of events, which add up. Each has its row in `kEventCounts`.
 struct EventCounts : RayCounts {
-  std::uint64_t samples = 0;  ///< camera samples
+  std::uint64_t samples = 0;
   std::uint64_t mutations = 0;
   std::uint64_t discarded_nan = 0;
   std::uint64_t discarded_infinite = 0;
   std::uint64_t discarded_negative = 0;
 };
 
-/// Each of them, for all that must not forget one: sums over threads and ranks, checkpoints.
-inline constexpr std::array<std::uint64_t EventCounts::*, 7> kEventCounts = {
-    &EventCounts::rays,
-    &EventCounts::rays_out_of_range,
-    &EventCounts::samples,
-    &EventCounts::mutations,
-    &EventCounts::discarded_nan,
-    &EventCounts::discarded_infinite,
-    &EventCounts::discarded_negative};
+/// A counter, for all that must not forget one: sums over threads and ranks, checkpoints,
+/// statistics, reference.
+struct EventCount {
+  std::uint64_t EventCounts::*number;
+  const char* name;               ///< in statistics; a dot leads into an object
+  const char* help;               ///< one line
+  bool with_preparation = false;  ///< statistics count those of the preparation, too
+};
+inline constexpr auto kEventCounts = std::to_array<EventCount>(
+    {{&EventCounts::rays, "rays", "nearest-hit and shadow rays", true},
+     {&EventCounts::samples, "samples", "camera samples"},
+     {&EventCounts::mutations, "mutations", "steps of Markov chains"},
+     {&EventCounts::discarded_nan, "discarded.nan", "contributions that were no numbers"},
+     {&EventCounts::discarded_infinite, "discarded.infinite", "infinite contributions"},
+     {&EventCounts::discarded_negative, "discarded.negative", "negative contributions"},
+     {&EventCounts::rays_out_of_range, "discarded.rays_out_of_range",
+      "rays that could not be traced, because of coordinates that are no numbers or too large",
+      true}});
 static_assert(sizeof(EventCounts) == kEventCounts.size() * sizeof(std::uint64_t));
 
 /// Counts of every integrator; summed over threads by the job.
@@ -195,14 +204,29 @@ struct IntegratorInfo {
   }
 };
 
-/// A layer that users can ask for with `--aov`.
+/// Values of a layer, of three sums per pixel.
+enum class LayerValue {
+  Color,
+  Number,  ///< the first
+  Mean     ///< the first over the second, a number of events
+};
+
+/// A layer that users can ask for with `--aov`. A new one needs its row in `aovs`, and the code
+/// that makes it: a `LayerSpec` of integrators, or a part of `develop` (session/output/output.h).
 struct AovInfo {
   std::string name;
   std::string summary;      ///< one line
   bool part_of_all = true;  ///< false for large layers, and those of some integrators only
+  LayerValue value = LayerValue::Color;
+  bool made_by_method = true;  ///< false: of sums that every film has
+  std::string made_with{};     ///< the layer of a film that it is made of, if not of its own name
+  int pictures = 0;            ///< layers that are made of it beside those of the film
+  static constexpr int kPerReplicate = -1;  ///< of `pictures`
 };
 /// Every layer there is, those that need no asking for ("direct", "indirect") included.
 const std::vector<AovInfo>& aovs();
+/// Null for a name that is none of theirs.
+const AovInfo* find_aov(const std::string& name);
 
 /// All integrators, sorted by name.
 const std::vector<IntegratorInfo>& integrators();

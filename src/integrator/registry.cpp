@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "image/relative_error.h"
 #include "integrator/masked/masked.h"
 #include "integrator/metropolis/erpt.h"
 #include "integrator/metropolis/metropolis.h"
@@ -119,59 +120,97 @@ const IntegratorInfo& find_integrator(const std::string& name) {
 
 const std::vector<AovInfo>& aovs() {
   static const std::vector<AovInfo> kAovs = {
-      {"direct", "light of paths with at most two edges (always written)"},
-      {"indirect", "light of longer paths (always written)"},
-      {"albedo", "reflectance of the first surface"},
-      {"normal", "shading normal of the first surface, world space, facing the camera"},
-      {"geometric-normal", "geometric normal of the first surface, world space, facing the camera"},
-      {"depth", "distance from the camera to the first surface, scene units"},
-      {"position", "place of the first surface, world space"},
-      {"coverage", "share of the pixel's samples that hit a surface"},
-      {"alpha",
-       "share of the pixel's samples that meet anything but the sky, fog included: channel A of "
-       "the "
-       "picture, which is multiplied by it where there is no sky",
-       false},
-      {"divided",
-       "beside each of the layers of surfaces its mean over what is there alone, not multiplied by "
-       "the share of it in pixels at edges: depth.divided and so on",
-       false},
-      {"object-id",
-       "number of the shape that most of the first nine samples hit, from 1; 0 for none"},
-      {"instance-id",
-       "number of the instance that most of the first nine samples hit, from 1; 0 for none"},
-      {"material-id",
-       "number of the material that most of the first nine samples hit, from 1; 0 for none"},
-      {"samples", "samples per pixel"},
-      {"techniques",
-       "what each technique contributes, weighted and alone, for paths of up to six edges (many "
-       "layers)",
-       false},
-      {"density",
-       "visits of the chains per pixel and mutation per pixel: where they spend their "
-       "time (methods with chains)",
-       false},
-      {"acceptance",
-       "mean acceptance probability of steps that begin in a pixel (methods with chains)", false},
-      {"noise", "impulse noise of the pilot's indirect light (selective)", false},
-      {"regions", "number of the region of a pixel, from 1 (selective)", false},
-      {"importance",
-       "what chains make of paths that bring as much as their whole pixel, of the most they might "
-       "(selective)",
-       false},
-      {"edges", "edges between surfaces, as the pilot saw them (selective)", false},
-      {"standard-error",
-       "standard error of each pixel, from four replicates: Student's t with 3 degrees of freedom, "
-       "so that 86 % of the pixels are within 2 of it"},
-      {"standard-error-by-scale",
-       "standard error of the picture after a Gaussian of 1, 2, 4 and 8 pixels, as "
-       "standard-error.1 to .8: what no filter can take away",
-       false},
-      {"replicates",
-       "the independent estimates whose mean is the picture: lets ajar compare test for bias",
-       false},
+      {.name = "direct",
+       .summary = "light of paths with at most two edges (always written)",
+       .made_by_method = false},
+      {.name = "indirect",
+       .summary = "light of longer paths (always written)",
+       .made_by_method = false},
+      {.name = "albedo", .summary = "reflectance of the first surface"},
+      {.name = "normal",
+       .summary = "shading normal of the first surface, world space, facing the camera"},
+      {.name = "geometric-normal",
+       .summary = "geometric normal of the first surface, world space, facing the camera"},
+      {.name = "depth",
+       .summary = "distance from the camera to the first surface, scene units",
+       .value = LayerValue::Number},
+      {.name = "position", .summary = "place of the first surface, world space"},
+      {.name = "coverage",
+       .summary = "share of the pixel's samples that hit a surface",
+       .value = LayerValue::Number},
+      {.name = "alpha",
+       .summary = "share of the pixel's samples that meet anything but the sky, fog included: "
+                  "channel A of the picture, which is multiplied by it where there is no sky",
+       .part_of_all = false,
+       .value = LayerValue::Number},
+      {.name = "divided",
+       .summary = "beside each of the layers of surfaces its mean over what is there alone, not "
+                  "multiplied by the share of it in pixels at edges: depth.divided and so on",
+       .part_of_all = false,
+       .made_with = "alpha",
+       .pictures = 5},
+      {.name = "object-id",
+       .summary = "number of the shape that most of the first nine samples hit, from 1; 0 for "
+                  "none"},
+      {.name = "instance-id",
+       .summary = "number of the instance that most of the first nine samples hit, from 1; 0 for "
+                  "none"},
+      {.name = "material-id",
+       .summary = "number of the material that most of the first nine samples hit, from 1; 0 for "
+                  "none"},
+      {.name = "samples", .summary = "samples per pixel", .made_by_method = false, .pictures = 1},
+      {.name = "techniques",
+       .summary = "what each technique contributes, weighted and alone, for paths of up to six "
+                  "edges (many layers)",
+       .part_of_all = false},
+      {.name = "density",
+       .summary = "visits of the chains per pixel and mutation per pixel: where they spend their "
+                  "time (methods with chains)",
+       .part_of_all = false,
+       .value = LayerValue::Number},
+      {.name = "acceptance",
+       .summary = "mean acceptance probability of steps that begin in a pixel (methods with "
+                  "chains)",
+       .part_of_all = false,
+       .value = LayerValue::Mean},
+      {.name = "noise",
+       .summary = "impulse noise of the pilot's indirect light (selective)",
+       .part_of_all = false},
+      {.name = "regions",
+       .summary = "number of the region of a pixel, from 1 (selective)",
+       .part_of_all = false},
+      {.name = "importance",
+       .summary = "what chains make of paths that bring as much as their whole pixel, of the most "
+                  "they might (selective)",
+       .part_of_all = false},
+      {.name = "edges",
+       .summary = "edges between surfaces, as the pilot saw them (selective)",
+       .part_of_all = false},
+      {.name = "standard-error",
+       .summary = "standard error of each pixel, from four replicates: Student's t with 3 degrees "
+                  "of freedom, so that 86 % of the pixels are within 2 of it",
+       .made_by_method = false,
+       .pictures = 1},
+      {.name = "standard-error-by-scale",
+       .summary = "standard error of the picture after a Gaussian of 1, 2, 4 and 8 pixels, as "
+                  "standard-error.1 to .8: what no filter can take away",
+       .part_of_all = false,
+       .made_by_method = false,
+       .pictures = static_cast<int>(kErrorScales.size())},
+      {.name = "replicates",
+       .summary =
+           "the independent estimates whose mean is the picture: lets ajar compare test for bias",
+       .part_of_all = false,
+       .made_by_method = false,
+       .pictures = AovInfo::kPerReplicate},
   };
   return kAovs;
+}
+
+const AovInfo* find_aov(const std::string& name) {
+  const auto found = std::find_if(aovs().begin(), aovs().end(),
+                                  [&](const AovInfo& info) { return info.name == name; });
+  return found == aovs().end() ? nullptr : &*found;
 }
 
 }  // namespace ajar

@@ -46,7 +46,7 @@ bool is_prepared(RenderState& state) {
 struct Render::Parts {
   Parts(RenderOrder order, RenderEvents& events)
       : interrupts(order.interrupts != nullptr ? *order.interrupts : own_interrupts),
-        threads(thread_limit(order.threads)),
+        threads(thread_limit(order.spec.threads)),
         state{std::move(order), events, interrupts, watch} {}
 
   InterruptCount own_interrupts{0};
@@ -62,10 +62,10 @@ Render::Render(RenderOrder order, RenderEvents& events)
     : parts_(std::make_unique<Parts>(std::move(order), events)) {
   RenderState& state = parts_->state;
   const RenderOrder& wanted = state.order;
-  wanted.files.display();  // its curve may be none
+  wanted.spec.display();  // its curve may be none
   check_files(wanted);
-  if (wanted.resumed) check_resumable(*wanted.resumed, wanted.resumed_from, wanted.force);
-  state.statistics.scene = wanted.scene;
+  if (wanted.resumed) check_resumable(*wanted.resumed, wanted.resumed_from, wanted.spec.force);
+  state.statistics.render.scene = wanted.scene;
   state.watch.know(state.statistics);
 }
 Render::~Render() = default;

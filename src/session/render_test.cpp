@@ -28,12 +28,12 @@ namespace fs = std::filesystem;
 RenderOrder small_order(std::optional<std::uint64_t> samples = 8) {
   RenderOrder order;
   order.scene = "builtin:cornell";
-  RenderRequest& request = order.request.emplace();
-  request.integrator = "pt";
-  request.resolution = Vec2i(24, 18);
-  request.budget.samples_per_pixel = samples;
+  RenderSpec& spec = order.spec;
+  spec.integrator = "pt";
+  spec.resolution = {24, 18};
+  spec.samples_per_pixel = samples;
   // A day, which no test waits for.
-  if (!samples) request.budget.seconds = 86400.0;
+  if (!samples) spec.seconds = 86400.0;
   return order;
 }
 
@@ -126,12 +126,12 @@ TEST(Render, TakesASceneThatIsReady) {
 
 TEST(Render, TakesASceneThatWasBuiltForAnother) {
   const std::shared_ptr<LoadedScene> scene = loaded("builtin:cornell");
-  RenderRequest request = *small_order().request;
+  RenderSpec spec = small_order().spec;
   const auto first_phase = [&] {
     RenderOrder order = small_order();
-    order.request = request;
+    order.spec = spec;
     RenderOrder alone = small_order();
-    alone.request = request;
+    alone.spec = spec;
     order.loaded = scene;
     Listener listener;
     Render render(std::move(order), listener);
@@ -140,17 +140,17 @@ TEST(Render, TakesASceneThatWasBuiltForAnother) {
   };
   EXPECT_EQ(first_phase(), "build");
   EXPECT_EQ(first_phase(), "prepare");
-  request.integrator = "mmlt";
-  request.seed = 7;
+  spec.integrator = "mmlt";
+  spec.seed = 7;
   EXPECT_EQ(first_phase(), "prepare");
-  request.crop = {.values = {3, 2, 20, 15}, .fractions = false};
+  spec.crop = {3, 2, 20, 15};
   EXPECT_EQ(first_phase(), "prepare");
-  request.resolution = Vec2i(30, 18);
+  spec.resolution = {30, 18};
   EXPECT_EQ(first_phase(), "build");
-  request.filter = "gaussian";
+  spec.filter = "gaussian";
   EXPECT_EQ(first_phase(), "build");
   EXPECT_EQ(first_phase(), "prepare");
-  request = *small_order().request;
+  spec = small_order().spec;
   EXPECT_EQ(first_phase(), "build") << "one is kept";
 }
 
@@ -171,8 +171,8 @@ TEST(Render, TellsTheWarningsOfASceneThatWasBuiltForAnother) {
     RenderOrder order;
     order.scene = "test.pbrt";
     order.loaded = scene;
-    order.request.emplace().integrator = "pt";
-    order.request->budget.samples_per_pixel = 4;
+    order.spec.integrator = "pt";
+    order.spec.samples_per_pixel = 4;
     Render render(std::move(order));
     told.push_back(render.run().statistics.warnings);
   }
@@ -230,7 +230,7 @@ TEST(Render, ShowsItsPictureToOtherThreads) {
   EXPECT_GE(known.result.samples_per_pixel, 4U);
   EXPECT_LE(known.result.samples_per_pixel, samples_of(*seen));
   EXPECT_GT(known.result.counters.rays, 0U);
-  EXPECT_EQ(known.integrator, "pt");
+  EXPECT_EQ(known.render.integrator, "pt");
   EXPECT_EQ(pixels_of(*seen), rendered(small_order(samples_of(*seen))));
 }
 
@@ -238,7 +238,7 @@ TEST(Render, HasNoPictureBeforeItsFirstPass) {
   Listener listener;
   Render render(small_order(), listener);
   EXPECT_FALSE(render.picture());
-  EXPECT_EQ(render.statistics().scene, "builtin:cornell");
+  EXPECT_EQ(render.statistics().render.scene, "builtin:cornell");
   // On its own thread, which would wait for itself.
   listener.on_progress = [&](const RenderSnapshot&) { EXPECT_FALSE(render.picture()); };
   EXPECT_TRUE(render.run().picture);
@@ -247,9 +247,9 @@ TEST(Render, HasNoPictureBeforeItsFirstPass) {
 /// A preparation of eight samples per pixel, or one that is far too long for these.
 RenderOrder selective_order(bool prepared = true) {
   RenderOrder order = small_order();
-  order.request->integrator = "selective";
-  order.request->depth.maximum = 3;
-  if (!prepared) order.request->parameters = {{"pilot-samples", "400"}};
+  order.spec.integrator = "selective";
+  order.spec.max_depth = 3;
+  if (!prepared) order.spec.parameters = {{"pilot-samples", "400"}};
   return order;
 }
 
@@ -264,7 +264,7 @@ TEST(Render, OfFewSamplesDoesWithoutALongPreparation) {
   std::vector<std::vector<float>> pictures;
   for (const int threads : {1, 2}) {
     RenderOrder order = selective_order(false);
-    order.threads = threads;
+    order.spec.threads = threads;
     Listener listener;
     Render render(std::move(order), listener);
     const RenderOutcome& outcome = render.run();
@@ -289,9 +289,9 @@ TEST(Render, OfFewSamplesIsPreparedIfThatIsShort) {
 /// Of more camera samples than are few.
 TEST(Render, HasTheChainsThatWereAskedForByName) {
   RenderOrder order = small_order(1);
-  order.request->integrator = "mmlt";
-  order.request->parameters = {{"bootstrap", "200000"}};
-  order.request->depth.maximum = 3;
+  order.spec.integrator = "mmlt";
+  order.spec.parameters = {{"bootstrap", "200000"}};
+  order.spec.max_depth = 3;
   Listener listener;
   Render render(std::move(order), listener);
   EXPECT_TRUE(render.run().statistics.prepared);
@@ -302,7 +302,7 @@ TEST(Render, ShowsWhatItsPreparationHasSeen) {
   RenderOrder order = selective_order();
   order.show_every = 1e3;
   FakeViewer viewer(FakeViewer::Manners::Good);
-  order.files.preview = ViewerAddress{"127.0.0.1", std::to_string(viewer.port())};
+  order.spec.preview = "127.0.0.1:" + std::to_string(viewer.port());
   Listener listener;
   Render render(std::move(order), listener);
   std::shared_ptr<const Picture> look;
@@ -348,10 +348,10 @@ TEST(Render, DoesNotShowWhatItsPreparationSeesAgain) {
       (std::filesystem::temp_directory_path() / ("ajar-look-" + std::to_string(::getpid())))
           .string();
   RenderOrder order = selective_order();
-  order.files.checkpoint = checkpoint;
+  order.spec.checkpoint = checkpoint;
   Render(std::move(order)).run();
   RenderOrder on;
-  on.budget.samples_per_pixel = 16;
+  on.spec.samples_per_pixel = 16;
   on.show_every = 1e3;
   resume_from(checkpoint, on);
   Listener listener;
@@ -391,7 +391,7 @@ TEST(Render, IsStoppedBeforeItBegins) {
   // Path tracing has nothing to prepare that could be cut short.
   EXPECT_TRUE(render.run().picture);
   RenderOrder order = small_order();
-  order.request->integrator = "mmlt";
+  order.spec.integrator = "mmlt";
   Render chains(std::move(order), listener);
   chains.stop();
   chains.stop();
@@ -422,7 +422,7 @@ TEST(Render, LeavesNobodyWaitingWhenItFails) {
 TEST(Render, RefusesBeforeItLoads) {
   RenderOrder order = small_order();
   order.scene = "builtin:no-such-scene";
-  order.files.tone_map = "no-such-curve";
+  order.spec.tone_map = "no-such-curve";
   EXPECT_THROW(Render{std::move(order)}, UsageError);
   RenderOrder unknown = small_order();
   unknown.scene = "builtin:no-such-scene";
@@ -467,9 +467,9 @@ TEST(Render, WritesFilesAndGoesOn) {
   fs::create_directories(folder);
   const std::string checkpoint = (folder / "half.ckpt").string();
   RenderOrder order = small_order(8);
-  order.files.pictures = {(folder / "half.exr").string()};
-  order.files.statistics = (folder / "half.json").string();
-  order.files.checkpoint = checkpoint;
+  order.spec.outputs = {(folder / "half.exr").string()};
+  order.spec.statistics = (folder / "half.json").string();
+  order.spec.checkpoint = checkpoint;
   lock_checkpoint_of(order);
   {
     Render render(std::move(order));
@@ -481,7 +481,7 @@ TEST(Render, WritesFilesAndGoesOn) {
   EXPECT_TRUE(fs::exists(folder / "half.exr"));
   EXPECT_TRUE(fs::exists(folder / "half.json"));
   RenderOrder second;
-  second.budget.samples_per_pixel = 16;
+  second.spec.samples_per_pixel = 16;
   resume_from(checkpoint, second);
   EXPECT_EQ(second.scene, "builtin:cornell");
   EXPECT_EQ(rendered(std::move(second)), rendered(small_order(16)));
@@ -489,15 +489,15 @@ TEST(Render, WritesFilesAndGoesOn) {
   // With more samples there would be enough for the preparation; but it was begun without.
   const std::string of_few = (folder / "few.ckpt").string();
   RenderOrder few = selective_order(false);
-  few.files.checkpoint = of_few;
+  few.spec.checkpoint = of_few;
   lock_checkpoint_of(few);
   rendered(std::move(few));
   RenderOrder whole = selective_order(false);
-  whole.request->budget.samples_per_pixel = 16;
+  whole.spec.samples_per_pixel = 16;
   const std::vector<float> expected = rendered(std::move(whole));
   for (const std::uint64_t samples : {16, 1024}) {
     RenderOrder more;
-    more.budget.samples_per_pixel = samples;
+    more.spec.samples_per_pixel = samples;
     resume_from(of_few, more);
     Listener listener;
     Render render(std::move(more), listener);
@@ -510,7 +510,7 @@ TEST(Render, WritesFilesAndGoesOn) {
   }
   Listener listener;
   RenderOrder enough = selective_order(false);
-  enough.request->budget.samples_per_pixel = 1024;
+  enough.spec.samples_per_pixel = 1024;
   Render render(std::move(enough), listener);
   EXPECT_TRUE(render.run().statistics.prepared) << "what was not to be gone back on";
   fs::remove_all(folder);

@@ -27,11 +27,11 @@ constexpr std::uint64_t kReferenceSeed = 1'000'003;
 
 /// Raises UsageError unless there is such a method with such parameters.
 void check_method(const Method& method) {
-  RenderRequest request;
-  request.integrator = method.integrator;
-  request.parameters = method.parameters;
+  RenderSpec spec;
+  spec.integrator = method.integrator;
+  spec.parameters = method.parameters;
   desc::Film film;
-  const RenderSetup setup = make_setup(request, {}, film);
+  const RenderSetup setup = make_setup(spec, {}, film);
   setup.integrator->read(setup.parameters);
 }
 

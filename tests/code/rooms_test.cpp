@@ -49,10 +49,10 @@ const std::map<std::string, std::set<std::string>>& rooms() {
       add(wing, "integrator/metropolis", {"os", "color", "imageio", "integrator/regions"});
     }
     add("session", "integrator/selective", {"import", "post"});
-    add("api", "session", {});
+    add("api", "session", {"study", "study/report"});
     may["study/report"] = {"core", "os", "color", "imageio", "image", "post"};
     may["study"] = {"core", "os", "color", "imageio", "image", "post", "session", "study/report"};
-    add("api/c", "api", {"api", "study", "study/report"});
+    add("api/c", "api", {});
     add("apps", "session", {"study", "study/report"});
     add("apps/shared", "apps", {"apps"});
     return may;

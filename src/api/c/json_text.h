@@ -3,10 +3,12 @@
 #include <array>
 #include <concepts>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "api/contents.h"
 #include "core/error.h"
 #include "import/code/json_place.h"
 
@@ -15,10 +17,7 @@ namespace ajar::c {
 
 using code::Json;
 
-/// Names of files need not be UTF-8.
-inline std::string json_text(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+using v0::json_text;
 
 /// Raises UsageError if it is no object, as `code::parse_json` does, and for members that are not
 /// among `names`: one of what `kind` says.
@@ -109,6 +108,16 @@ struct JsonValue<std::array<T, N>> {
     for (std::size_t i = 0; i < N; ++i) values[i] = value_of<T>(json[i]);
     return values;
   }
+};
+
+/// Type that a member is read as: that of its value, if it is optional.
+template <typename T>
+struct ReadAs {
+  using Type = T;
+};
+template <typename T>
+struct ReadAs<std::optional<T>> {
+  using Type = T;
 };
 
 /// Reads a member of an object, whose name stands before what is wrong with it. Null is as if it

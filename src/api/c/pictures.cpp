@@ -1,11 +1,5 @@
 #include "api/c/handles.h"
 #include "api/c/json_text.h"
-#include "api/contents.h"
-#include "image/flip.h"
-#include "imageio/read_picture.h"
-#include "session/options/limits.h"
-#include "study/comparison.h"
-#include "study/comparison_output.h"
 
 using ajar::c::give_text;
 using ajar::c::given;
@@ -19,7 +13,9 @@ namespace {
 /// A member of an object, or what holds without it.
 template <typename T>
 T member(const Json& object, const char* name, T otherwise) {
-  ajar::c::read_member(object, name, [&](const Json& json) { otherwise = value_of<T>(json); });
+  ajar::c::read_member(object, name, [&](const Json& json) {
+    otherwise = value_of<typename ajar::c::ReadAs<T>::Type>(json);
+  });
   return otherwise;
 }
 
@@ -74,8 +70,7 @@ int ajar_picture_save(const ajar_picture* picture, const char* path, const char*
 int ajar_picture_load(const char* path, ajar_picture** picture) {
   return guarded([&] {
     given(picture, "picture") = nullptr;
-    auto content = std::make_shared<const ajar::Picture>(ajar::read_picture(&given(path, "path")));
-    *picture = new ajar_picture{ajar::v0::public_picture(std::move(content))};
+    *picture = new ajar_picture{ajar::v0::Picture::load(&given(path, "path"))};
   });
 }
 
@@ -86,12 +81,10 @@ int ajar_compare(const char* request, char** json) {
     const Json wish = parsed_object(&given(request, "request"), "member",
                                     {"reference", "pictures", "metrics", "pixels_per_degree"});
     using Names = std::vector<std::string>;
-    const double pixels_per_degree = member(wish, "pixels_per_degree", ajar::kFlipPixelsPerDegree);
-    check_within(ajar::limits::kPixelsPerDegree, pixels_per_degree, "pixels_per_degree");
     given(json, "json");
-    const ajar::study::Comparison comparison = ajar::study::compare_files(
-        member(wish, "reference", std::string()), member(wish, "pictures", Names()),
-        ajar::study::metrics_by_name(member(wish, "metrics", Names())), pixels_per_degree);
-    give_text(ajar::c::json_text(ajar::study::to_json(comparison)), json);
+    give_text(ajar::v0::compare(member(wish, "reference", std::string()),
+                                member(wish, "pictures", Names()), member(wish, "metrics", Names()),
+                                member(wish, "pixels_per_degree", std::optional<double>())),
+              json);
   });
 }

@@ -4,11 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -18,8 +14,7 @@
 #include "core/error.h"
 #include "import/format.h"
 #include "os/standard_streams.h"
-#include "post/denoise/denoiser.h"
-#include "session/options/option_values.h"
+#include "session/options/render_options.h"
 #include "session/scenes/catalog.h"
 #include "session/version.h"
 #include "study/metric.h"
@@ -50,122 +45,72 @@ const CLI::Validator kNotEmpty(
     },
     "");
 
-/// An option whose value `read(name, text)` makes of a text, raising UsageError in words.
-template <typename Value, typename Read>
-CLI::Option* add_value(CLI::App* command, const std::string& name, Value& value, Read read,
-                       const std::string& help) {
-  return command->add_option_function<std::string>(
-      name, [&value, name, read](const std::string& text) { value = read(name, text); }, help);
-}
-
-std::uint64_t read_samples(const std::string& option, const std::string& text) {
-  return parse_whole(option, text, limits::kSamples);
-}
-
-int read_threads(const std::string& option, const std::string& text) {
-  return parse_whole(option, text, limits::kThreads);
-}
-
-double read_scale(const std::string& option, const std::string& text) {
-  return parse_number(option, text, "times the scene's own size", limits::kScale);
-}
-
-double read_pixels_per_degree(const std::string& option, const std::string& text) {
-  return parse_number(option, text, "pixels per degree", limits::kPixelsPerDegree);
-}
-
-constexpr const char* kPictures = "Pictures";
-constexpr const char* kMethod = "Method";
-constexpr const char* kSafety = "Never to lose a render";
 constexpr const char* kProgram = "Program";
 
-std::string denoise_help() {
-  return fmt::format(
-      "Take the noise out of .png and .jpg; .exr keeps both. One of {} (auto: Open Image Denoise "
-      "where it is found, else builtin)",
-      fmt::join(denoiser_names(), ", "));
+std::string heading_of(OptionGroup group, unsigned command) {
+  switch (group) {
+    case OptionGroup::Scene:
+      return "Options";
+    case OptionGroup::Pictures:
+      return "Pictures";
+    case OptionGroup::Stop:
+      return fmt::format("When to stop (whichever comes first; default: {})",
+                         command == commands::kResume
+                             ? "as before; if any is given, it replaces all"
+                             : "the scene's samples per pixel");
+    case OptionGroup::Method:
+      return "Method";
+    case OptionGroup::Safety:
+      return "Never to lose a render";
+    case OptionGroup::Program:
+      return kProgram;
+  }
+  return {};
 }
 
-/// `budget_default`: what holds without a limit.
-void add_run(CLI::App* command, RunArguments& a, const std::string& output_default,
-             const std::string& budget_default) {
-  command
-      ->add_option("-o,--output", a.outputs,
-                   "Picture to write; may be given several times. The extension decides: .exr "
-                   "(scene-linear, all "
-                   "layers), .png .jpg (tone-mapped), .pfm .hdr. Default: " +
-                       output_default)
-      ->allow_extra_args(false)
-      ->type_name("FILE")
-      ->group(kPictures);
-  command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
-      ->type_name("NAME")
-      ->check(kNotEmpty)
-      ->group(kPictures);
-  add_value(command, "--exposure", a.exposure, parse_exposure,
-            "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
-      ->type_name("STOPS|auto")
-      ->group(kPictures);
-  command->add_option("--denoise", a.denoiser, denoise_help() + "; default: auto, or as before")
-      ->type_name("HOW")
-      ->check(kNotEmpty)
-      ->group(kPictures);
-  command
-      ->add_option("--output-every", a.output_every,
-                   "Also write the pictures while rendering, such as every 30s")
-      ->type_name("TIME")
-      ->check(kNotEmpty)
-      ->group(kPictures);
+/// The default is what the heading does not say.
+std::string help_of(const RenderOption& option, unsigned command) {
+  const bool as_before = command == commands::kResume && option.is_kept;
+  const std::string otherwise = as_before ? "as before" : option.default_text;
+  if (otherwise.empty() || option.group == OptionGroup::Stop) return option.help;
+  return option.help + "; default: " + otherwise;
+}
 
-  command
-      ->add_option("--preview", a.preview,
-                   "Show the picture while it is rendered in a viewer that speaks tev's protocol, "
-                   "such as localhost:14158; without one, --output-every keeps a picture to look "
-                   "at")
-      ->type_name("HOST:PORT")
-      ->check(kNotEmpty)
-      ->group(kPictures);
+void add_option(CLI::App* command, const RenderOption& option, RenderSpec& spec, unsigned which) {
+  const std::string heading = heading_of(option.group, which);
+  const std::string help = help_of(option, which);
+  if (option.value_name.empty()) {
+    command
+        ->add_flag_callback(
+            option.flags, [&] { read_option(option, spec, ""); }, help)
+        ->group(heading);
+    return;
+  }
+  const auto read = [&](const std::string& text) {
+    if (!text.empty() || !option.may_be_empty) read_option(option, spec, text);
+  };
+  CLI::Option* const added =
+      option.may_repeat
+          ? command->add_option_function<std::vector<std::string>>(
+                option.flags,
+                [read](const auto& texts) { std::for_each(texts.begin(), texts.end(), read); },
+                help)
+          : command->add_option_function<std::string>(option.flags, read, help);
+  if (option.may_repeat) added->allow_extra_args(false);
+  if (!option.may_be_empty) added->check(kNotEmpty);
+  added->type_name(option.value_name)->group(heading);
+  if (!option.excludes.empty()) added->excludes(option.excludes);
+}
 
-  const std::string stop = "When to stop (whichever comes first; default: " + budget_default + ")";
-  add_value(command, "--spp", a.spp, read_samples,
-            "Samples per pixel (rounded up to equal replicates)")
-      ->type_name("N")
-      ->group(stop);
-  command->add_option("--time", a.time, "Time to render, such as 60s, 2m or 1h30m")
-      ->type_name("TIME")
-      ->check(kNotEmpty)
-      ->group(stop);
-  add_value(command, "--target-error", a.target_error, parse_target_error,
-            "Estimated relative error of the picture, such as 0.01 or 1%; denoised:1%: of the "
-            "denoised picture")
-      ->type_name("[denoised:]X")
-      ->group(stop);
+/// The options of a command, of which `spec` has the values.
+void add_options(CLI::App* command, unsigned which, RenderSpec& spec) {
+  for (const RenderOption& option : render_options()) {
+    if (option.flags.empty() || !option.has(which)) continue;
+    add_option(command, option, spec, which);
+  }
+}
 
-  command
-      ->add_option("--checkpoint", a.checkpoint,
-                   "Keep in this file all that is needed to go on (ajar resume FILE)")
-      ->type_name("FILE")
-      ->check(kNotEmpty)
-      ->group(kSafety);
-  command->add_option("--checkpoint-every", a.checkpoint_every, "How often to write it")
-      ->type_name("TIME")
-      ->check(kNotEmpty)
-      ->capture_default_str()
-      ->group(kSafety);
-  command
-      ->add_flag(
-          "--force", a.force,
-          "Go on even if another version of ajar wrote the checkpoint, or the scene has moved")
-      ->group(kSafety);
-
-  add_value(command, "--threads", a.threads, read_threads, "Threads to use; 0: all processors")
-      ->type_name("N")
-      ->default_str("0")
-      ->group(kProgram);
-  command->add_option("--stats", a.stats, "Write statistics as JSON")
-      ->type_name("FILE.json")
-      ->check(kNotEmpty)
-      ->group(kProgram);
+void add_progress(CLI::App* command, RunArguments& a) {
   command->add_option("--progress", a.progress, "auto, plain (lines), json (lines) or none")
       ->type_name("HOW")
       ->capture_default_str()
@@ -174,80 +119,17 @@ void add_run(CLI::App* command, RunArguments& a, const std::string& output_defau
 
 void add_scene(CLI::App* command, SceneArguments& a) {
   command->add_option("SCENE", a.scene, kSceneHelp)->required();
-  command
-      ->add_option("-D,--define", a.definitions,
-                   "Give a parameter that the scene leaves open a value ($NAME in scenes of "
-                   "Mitsuba); may be given several times")
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
+  add_options(command, commands::kScene, a.spec);
 }
 
 void add_render(CLI::App& app, RenderArguments& a) {
   CLI::App* command = app.add_subcommand("render", "Render a scene to pictures");
   add_scene(command, a.scene);
-  add_run(command, a.run, "SCENE.exr and SCENE.png here", "the scene's samples per pixel");
-  command
-      ->add_option("--resolution", a.resolution, "Size of the picture in pixels, such as 640x480")
-      ->type_name("WxH")
-      ->group(kPictures);
-  add_value(command, "--scale", a.scale, read_scale,
-            "Multiply the scene's own resolution, such as 0.5")
-      ->type_name("F")
-      ->excludes("--resolution")
-      ->group(kPictures);
-  command
-      ->add_option(
-          "--crop", a.crop,
-          "Render only this window, from the top left: fractions if all are at most 1, else pixels")
-      ->type_name("X0,Y0,X1,Y1")
-      ->group(kPictures);
-  command
-      ->add_option(
-          "--filter", a.filter,
-          "Filter of the film instead of the scene's: box, triangle, gaussian, mitchell or "
-          "sinc, and its radius in pixels")
-      ->type_name("NAME[:RADIUS]")
-      ->group(kPictures);
-  command->add_option("--aov", a.aovs, "Extra layers for .exr files, or all (see: ajar list aovs)")
-      ->type_name("LIST")
-      ->group(kPictures);
-
-  command->add_option("--integrator", a.integrator, "Rendering method (see: ajar list integrators)")
-      ->type_name("NAME")
-      ->check(kNotEmpty)
-      ->group(kMethod);
-  command
-      ->add_option("--set", a.assignments,
-                   "Set a parameter of the method (see: ajar list integrators NAME); may be given "
-                   "several times")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE")
-      ->group(kMethod);
-  command
-      ->add_option(
-          "--depth", a.depth,
-          "Path lengths in edges: 1 is light seen directly, 2 direct lighting, such as 1:8")
-      ->type_name("MIN:MAX")
-      ->group(kMethod);
-  command->add_option("--seed", a.seed, "Seed of the random numbers")
-      ->type_name("N")
-      ->capture_default_str()
-      ->group(kMethod);
-  command
-      ->add_option("--resume", a.resume,
-                   "Go on with this checkpoint of the same render; begin anew if there is none")
-      ->type_name("FILE")
-      ->check(kNotEmpty)
-      ->group(kSafety);
-  command
-      ->add_option(
-          "--share", a.share,
-          "Render only the K-th of N parts of the work, for ajar merge; needs --checkpoint")
-      ->type_name("K/N")
-      ->check(kNotEmpty)
-      ->group(kProgram);
+  add_options(command, commands::kRender, a.scene.spec);
+  add_progress(command, a.run);
   command->footer(
-      fmt::format("Ctrl-C ends the render after the current pass and writes the pictures; SIGUSR1 "
+      fmt::format("Without -o the pictures are SCENE.exr and SCENE.png here.\n"
+                  "Ctrl-C ends the render after the current pass and writes the pictures; SIGUSR1 "
                   "writes them and goes on.\n"
                   "Example: ajar render scene{} --time 2m --scale 0.5 -o scene.exr -o scene.png",
                   formats().front().extensions.front()));
@@ -256,8 +138,9 @@ void add_render(CLI::App& app, RenderArguments& a) {
 void add_resume(CLI::App& app, ResumeArguments& a) {
   CLI::App* command = app.add_subcommand("resume", "Go on with a render from its checkpoint");
   command->add_option("CHECKPOINT", a.checkpoint, "File that --checkpoint wrote")->required();
-  add_run(command, a.run, "as before", "as before; if any is given, it replaces all");
-  command->add_option("--scene", a.scene, "Where the scene is now, if it has moved")
+  add_options(command, commands::kResume, a.scene.spec);
+  add_progress(command, a.run);
+  command->add_option("--scene", a.scene.scene, "Where the scene is now, if it has moved")
       ->type_name("SCENE")
       ->check(kNotEmpty)
       ->group(kProgram);
@@ -268,48 +151,19 @@ void add_resume(CLI::App& app, ResumeArguments& a) {
       "Example: ajar resume room.checkpoint --spp 4096");
 }
 
-/// How pictures for the eye are made of what was rendered before.
-template <typename Arguments>
-void add_display(CLI::App* command, Arguments& a) {
-  command->add_option("--tone-map", a.tone_map, "Curve of .png and .jpg: srgb or filmic")
-      ->type_name("NAME")
-      ->capture_default_str();
-  add_value(command, "--exposure", a.exposure, parse_exposure,
-            "Brighten .png and .jpg by this many stops, or auto: as suits the picture")
-      ->type_name("STOPS|auto")
-      ->default_str("0");
-  command->add_option("--denoise", a.denoiser, denoise_help())
-      ->type_name("HOW")
-      ->check(kNotEmpty)
-      ->capture_default_str();
-}
-
 void add_merge(CLI::App& app, MergeArguments& a) {
   CLI::App* command = app.add_subcommand("merge", "Put checkpoints together to one better picture");
   command->add_option("CHECKPOINT", a.checkpoints, "Renders of one picture: seeds, or all shares")
       ->required();
-  command->add_option("-o,--output", a.outputs, "Picture to write; may be given several times")
-      ->allow_extra_args(false)
-      ->type_name("FILE");
-  command->add_option("--checkpoint", a.checkpoint, "Write the whole as a checkpoint, too")
-      ->type_name("FILE")
-      ->check(kNotEmpty);
-  command->add_option("--stats", a.stats, "Write statistics as JSON")
-      ->type_name("FILE.json")
-      ->check(kNotEmpty);
-  add_display(command, a);
-  command->add_flag("--force", a.force, "Merge what other versions of ajar have written, too");
+  add_options(command, commands::kMerge, a.spec);
   command->footer("Example: ajar merge seed-1.checkpoint seed-2.checkpoint -o room.exr");
 }
 
 void add_denoise(CLI::App& app, DenoiseArguments& a) {
   CLI::App* command = app.add_subcommand("denoise", "Take the noise out of a rendered picture");
   command->add_option("PICTURE", a.picture, "Picture that ajar render wrote, .exr")->required();
-  command->add_option("-o,--output", a.outputs, "Picture to write; may be given several times")
-      ->required()
-      ->allow_extra_args(false)
-      ->type_name("FILE");
-  add_display(command, a);
+  add_options(command, commands::kDenoise, a.spec);
+  command->get_option("--output")->required();
   command->footer("Example: ajar denoise room.exr -o room.png");
 }
 
@@ -348,8 +202,14 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   command->add_option("--metrics", a.metrics, "Which, separated by commas: " + names)
       ->type_name("LIST")
       ->check(kNotEmpty);
-  add_value(command, "--ppd", a.pixels_per_degree, read_pixels_per_degree,
-            "Pixels per degree of sight, for FLIP")
+  command
+      ->add_option_function<std::string>(
+          "--ppd",
+          [&a](const std::string& text) {
+            a.pixels_per_degree =
+                parse_number("--ppd", text, "pixels per degree", limits::kPixelsPerDegree);
+          },
+          "Pixels per degree of sight, for FLIP")
       ->type_name("X")
       ->default_str(fmt::format("{:g}", a.pixels_per_degree));
   command->add_flag("--json", a.json, "Print JSON");

@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/warnings.h"
 #include "import/format.h"
-#include "session/options/option_values.h"
 #include "session/output/output.h"
 #include "session/output/written_paths.h"
 #include "session/scenes/scene_file.h"
@@ -14,8 +13,8 @@ int convert(const ConvertArguments& arguments) {
   const Format& format = format_to_write(arguments.output);
   check_writable(arguments.output);
   Warnings warnings;
-  const desc::SceneDesc scene = load_scene(arguments.scene.scene, warnings,
-                                           parse_assignments("-D", arguments.scene.definitions));
+  const desc::SceneDesc scene =
+      load_scene(arguments.scene.scene, warnings, arguments.scene.spec.definitions);
   check_spares({arguments.output}, scene.files);
   print_warnings(warnings, arguments.scene.scene);
   const std::string unknown = format.write(scene, arguments.output);

@@ -13,20 +13,22 @@
 namespace ajar::cli {
 
 int denoise(const DenoiseArguments& a) {
-  const Display wanted{tone_map_by_name(a.tone_map), a.exposure};
+  const std::vector<std::string>& outputs = a.spec.outputs;
+  const std::string how = a.spec.denoise.empty() ? "auto" : a.spec.denoise;
+  const Display wanted = a.spec.display();
   std::string note;
-  std::shared_ptr<const Denoiser> denoiser = find_denoiser(a.denoiser, &note);
+  std::shared_ptr<const Denoiser> denoiser = find_denoiser(how, &note);
   if (!note.empty()) print_note(note);
   if (!denoiser) {
-    throw UsageError("denoise: there is nothing to denoise with (--denoise " + a.denoiser + ")");
+    throw UsageError("denoise: there is nothing to denoise with (--denoise " + how + ")");
   }
-  check_picture_paths(a.outputs);
-  check_distinct(a.outputs);
-  check_spares(a.outputs, {a.picture});
+  check_picture_paths(outputs);
+  check_distinct(outputs);
+  check_spares(outputs, {a.picture});
   Picture picture = read_picture(a.picture);
   std::string why_another;
-  denoiser = fitting_denoiser(picture, std::move(denoiser), a.denoiser == "auto",
-                              available_memory_bytes(), why_another);
+  denoiser = fitting_denoiser(picture, std::move(denoiser), how == "auto", available_memory_bytes(),
+                              why_another);
   if (!why_another.empty()) print_note(why_another);
   if (!has_features(picture)) {
     print_note(a.picture +
@@ -43,11 +45,11 @@ int denoise(const DenoiseArguments& a) {
   const DisplayOptions display = wanted.of(picture);
   bool all_written = true;
   for (const WrittenFile& file :
-       write_final_files(picture_files(picture, a.outputs, display), nullptr)) {
+       write_final_files(picture_files(picture, outputs, display), nullptr)) {
     all_written = report_file(file) && all_written;
     if (!file.path.empty()) print_path(file.path);
   }
-  report_exposure(picture, a.outputs, display, wanted.exposure.automatic);
+  report_exposure(picture, outputs, display, wanted.exposure.automatic);
   return all_written ? 0 : kExitFile;
 }
 

@@ -14,7 +14,6 @@
 #include "scene/scene.h"
 #include "session/job/progress.h"
 #include "session/job/resources.h"
-#include "session/options/option_values.h"
 #include "session/render/memory_estimate.h"
 #include "session/render/render_setup.h"
 #include "session/scenes/scene_file.h"
@@ -246,8 +245,8 @@ std::string text_of(const Json& j, const MemoryEstimate& memory, const Warnings&
 int info(const InfoArguments& arguments) {
   Warnings warnings(Warnings::kAll);
   const Stopwatch load_clock;
-  desc::SceneDesc description = load_scene(arguments.scene.scene, warnings,
-                                           parse_assignments("-D", arguments.scene.definitions));
+  desc::SceneDesc description =
+      load_scene(arguments.scene.scene, warnings, arguments.scene.spec.definitions);
   const double load_seconds = load_clock.seconds();
   Json json = describe(description, arguments.scene.scene);
   const MemoryEstimate memory = memory_of(description);

@@ -15,15 +15,14 @@
 #include "session/output/written_paths.h"
 #include "session/render/render_concerns.h"
 #include "session/render/render_writers.h"
-#include "session/render/statistics_of.h"
 
 namespace ajar::cli {
 
 namespace {
 RenderStatistics statistics_of_merged(const Checkpoint& merged) {
-  RenderStatistics statistics = statistics_of(merged.render);
+  RenderStatistics statistics;
+  statistics.render = merged.render;
   statistics.preparation = merged.preparation;
-  statistics.budget = merged.budget;
   statistics.resumptions = merged.resumptions;
   statistics.interruptions = merged.interruptions;
   statistics.result = result_of(merged.job, StopReason::Samples);
@@ -41,36 +40,36 @@ std::string seeds_text(const Checkpoint& merged) {
 }  // namespace
 
 int merge(const MergeArguments& a) {
-  if (a.outputs.empty() && a.checkpoint.empty()) {
+  const RenderSpec& spec = a.spec;
+  const std::string denoise = spec.denoise.empty() ? "auto" : spec.denoise;
+  if (spec.outputs.empty() && spec.checkpoint.empty()) {
     throw UsageError("merge: say with -o or --checkpoint where the result goes");
   }
-  const Display wanted{tone_map_by_name(a.tone_map), a.exposure};
+  const Display wanted = spec.display();
   std::string note;
-  std::shared_ptr<const Denoiser> denoiser = find_denoiser(a.denoiser, &note);
+  std::shared_ptr<const Denoiser> denoiser = find_denoiser(denoise, &note);
   if (!note.empty()) print_note(note);
-  check_picture_paths(a.outputs);
-  std::vector<std::string> written = a.outputs;
-  for (const std::string& path : {a.stats, a.checkpoint}) {
-    if (path.empty()) continue;
-    check_writable(path);
-    written.push_back(path);
+  check_picture_paths(spec.outputs);
+  const std::vector<std::string> written = spec.files();
+  for (const std::string& path : {spec.statistics, spec.checkpoint}) {
+    if (!path.empty()) check_writable(path);
   }
   check_distinct(written);
   check_spares(written, {a.checkpoints.begin(), a.checkpoints.end()});
   std::optional<FileLock> lock;
-  if (!a.checkpoint.empty()) lock.emplace(lock_checkpoint(a.checkpoint));
+  if (!spec.checkpoint.empty()) lock.emplace(lock_checkpoint(spec.checkpoint));
 
   std::vector<NamedCheckpoint> parts;
   for (const std::string& path : a.checkpoints) parts.push_back({path, read_checkpoint(path)});
-  Checkpoint merged = ajar::merge(std::move(parts), a.force);
+  Checkpoint merged = ajar::merge(std::move(parts), spec.force);
   RenderStatistics statistics = statistics_of_merged(merged);
-  statistics.checkpoint = a.checkpoint;
+  statistics.render.spec.checkpoint = spec.checkpoint;
 
   const std::string& first = a.checkpoints.front();
-  const std::vector<std::string> aovs = merged.render.aovs;
+  const std::vector<std::string> aovs = merged.render.spec.layers;
   const Film film = film_of(merged, Filter::box(), first);
-  merged.denoiser = a.denoiser;
-  if (!a.checkpoint.empty()) write_checkpoint(a.checkpoint, merged, film.raw());
+  merged.render.spec.denoise = denoise;
+  if (!spec.checkpoint.empty()) write_checkpoint(spec.checkpoint, merged, film.raw());
   statistics.errors_by_scale =
       estimate_errors_by_scale(film, merged.scales, merged.job.samples_per_pixel);
   Picture picture =
@@ -105,18 +104,18 @@ int merge(const MergeArguments& a) {
   // The parts are there still: whoever has made room merges once more.
   bool all_written = true;
   for (const WrittenFile& file :
-       write_final_files(picture_files(picture, a.outputs, display), nullptr)) {
+       write_final_files(picture_files(picture, spec.outputs, display), nullptr)) {
     all_written = report_file(file) && all_written;
     if (file.path.empty()) continue;
     statistics.outputs.push_back(file.path);
     print_path(file.path);
   }
   statistics.peak_memory_bytes = peak_memory_bytes();
-  const std::string complaint = write_statistics(statistics, a.stats);
+  const std::string complaint = write_statistics(statistics, spec.statistics);
   if (!complaint.empty()) print_error(complaint);
   all_written = complaint.empty() && all_written;
   print_note(end_text(statistics.result, 0.0, statistics.denoised_error));
-  report_exposure(picture, a.outputs, display, wanted.exposure.automatic);
+  report_exposure(picture, spec.outputs, display, wanted.exposure.automatic);
   return all_written ? 0 : kExitFile;
 }
 

@@ -1,79 +1,67 @@
-#include <charconv>
-#include <filesystem>
+#include <unistd.h>
+
 #include <utility>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/console.h"
+#include "apps/cli/exit_codes.h"
 #include "apps/cli/messages.h"
-#include "apps/cli/render_run.h"
 #include "core/error.h"
-#include "session/options/filter_option.h"
-#include "session/options/option_values.h"
-#include "session/render/render_setup.h"
-#include "session/scenes/catalog.h"
+#include "session/job/interrupts.h"
+#include "session/render.h"
 
 namespace ajar::cli {
 
 namespace {
 
-/// Decimal digits only: a seed that is silently changed would give a picture that another seed
-/// gives too.
-std::uint64_t parse_seed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, seed);
-  if (error != std::errc() || stopped != end) {
-    throw UsageError("--seed: \"" + text +
-                     "\" is not a whole number from 0 to 18446744073709551615");
-  }
-  return seed;
+RenderOrder order_of(const SceneArguments& scene, const RunArguments& run) {
+  RenderOrder order;
+  order.scene = scene.scene;
+  order.spec = scene.spec;
+  order.default_pictures = true;
+  order.ranks = run.ranks;
+  order.interrupts = &interrupt_count();
+  order.picture_requests = &picture_requests();
+  return order;
 }
 
-RenderRequest request_of(const RenderArguments& a, const Budget& budget) {
-  RenderRequest request;
-  request.integrator = a.integrator;
-  if (!a.integrator.empty()) find_integrator(a.integrator);
-  request.parameters = parse_assignments("--set", a.assignments);
-  request.budget = budget;
-  if (!a.depth.empty()) request.depth = parse_depth("--depth", a.depth);
-  if (!a.resolution.empty()) request.resolution = parse_resolution("--resolution", a.resolution);
-  request.scale = a.scale;
-  if (!a.crop.empty()) request.crop = parse_crop("--crop", a.crop);
-  if (!a.filter.empty()) parse_filter("--filter", a.filter);
-  request.filter = a.filter;
-  request.aovs = checked_aovs(parse_list(a.aovs));
-  request.seed = parse_seed(a.seed);
-  return request;
+void check_share(const RenderSpec& spec) {
+  if (spec.share == WorkShare()) return;
+  if (spec.checkpoint.empty()) {
+    throw UsageError("--share needs --checkpoint: a share is of no use but for ajar merge");
+  }
+  if (spec.target_error) {
+    throw UsageError("--share cannot go with --target-error: all shares need the same samples");
+  }
+}
+
+/// Renders, and tells the user. Returns the exit code.
+int carry_out(RenderOrder order, const std::string& progress) {
+  const ProgressStyle style =
+      order.is_root() ? progress_style(progress, isatty(STDERR_FILENO) != 0) : ProgressStyle::None;
+  Console console(style, order.scene, order.resumed.has_value());
+  Render render(std::move(order), console);
+  const RenderOutcome& outcome = render.run();
+  if (!outcome.all_written()) return kExitFile;
+  return outcome.interrupted ? kExitInterrupted : 0;
 }
 
 }  // namespace
 
 int render(const RenderArguments& a) {
-  RenderOrder order = order_of(a.run);
-  order.scene = a.scene.scene;
-  order.definitions = parse_assignments("-D", a.scene.definitions);
-  if (order.files.denoiser.empty()) order.files.denoiser = "auto";
-  order.request = request_of(a, order.budget);
-  order.all_aovs = parse_list(a.aovs) == std::vector<std::string>{"all"};
-  order.size_from_scene = a.resolution.empty() && !a.scale;
-  if (!a.share.empty()) {
-    order.share = parse_share("--share", a.share);
-    if (a.run.checkpoint.empty()) {
-      throw UsageError("--share needs --checkpoint: a share is of no use but for ajar merge");
-    }
-    if (a.run.target_error) {
-      throw UsageError("--share cannot go with --target-error: all shares need the same samples");
-    }
-  }
+  RenderOrder order = order_of(a.scene, a.run);
+  RenderSpec& spec = order.spec;
+  if (spec.denoise.empty()) spec.denoise = "auto";
+  check_share(spec);
   lock_checkpoint_of(order);
-  if (!a.resume.empty() && !resume_if_there(a.resume, order)) {
-    print_note("there is no " + a.resume + " yet: the render begins anew");
+  if (!spec.resume_from.empty() && !resume_if_there(spec.resume_from, order)) {
+    print_note("there is no " + spec.resume_from + " yet: the render begins anew");
   }
   return carry_out(std::move(order), a.run.progress);
 }
 
 int resume(const ResumeArguments& a) {
-  RenderOrder order = order_of(a.run);
-  order.scene = a.scene;
+  RenderOrder order = order_of(a.scene, a.run);
   resume_from(a.checkpoint, order);
   return carry_out(std::move(order), a.run.progress);
 }

@@ -26,7 +26,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian");
 
-constexpr std::uint32_t kCheckpointFormat = 22;
+constexpr std::uint32_t kCheckpointFormat = 23;
 constexpr std::array<char, 16> kMagic = {'A', 'j', 'a', 'r', ' ', 'c', 'h', 'e',
                                          'c', 'k', 'p', 'o', 'i', 'n', 't', '\n'};
 
@@ -93,12 +93,6 @@ std::string size_text(const RenderSettings& s) {
                      s.crop.min.y, s.crop.max.x + 1, s.crop.max.y + 1);
 }
 
-std::string list_text(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
-  return text.empty() ? "none" : text;
-}
-
 /// What a record says, in the words of the command line.
 std::vector<std::pair<std::string, std::string>> described(const RenderRecord& record) {
   const RenderSettings& s = record.settings;
@@ -107,10 +101,12 @@ std::vector<std::pair<std::string, std::string>> described(const RenderRecord& r
       {"seed", std::to_string(s.seed)},
       {"size", size_text(s)},
       {"depth", fmt::format("{}:{}", s.min_depth, s.max_depth)},
-      {"replicates", std::to_string(s.replicates)},
-      {"layers", list_text(record.aovs)},
-      {"filter", record.filter.empty() ? "the scene's" : record.filter},
-      {"share", fmt::format("{}/{}", record.share.index + 1, record.share.count)}};
+      {"replicates", std::to_string(s.replicates)}};
+  // The others have been resolved.
+  for (const RenderOption& option : render_options()) {
+    if (!option.decides_picture || !option.is_kept) continue;
+    lines.emplace_back(option.name, option_text(option, record.spec));
+  }
   for (const auto& [name, value] : record.parameters) lines.emplace_back(name, value);
   return lines;
 }

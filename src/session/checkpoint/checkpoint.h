@@ -10,27 +10,25 @@
 #include "image/film.h"
 #include "integrator/integrator.h"
 #include "os/file_lock.h"
-#include "session/job/budget.h"
 #include "session/job/job_state.h"
-#include "session/options/display.h"
+#include "session/options/render_spec.h"
 #include "session/output/output.h"
 
 namespace ajar {
 
 /// What is rendered, and how: all that decides the bits of a picture but for the number of samples.
 struct RenderRecord {
-  std::string scene;                               ///< absolute path, or builtin:NAME
-  std::map<std::string, std::string> definitions;  ///< for `load_scene`
+  std::string scene;  ///< absolute path, or builtin:NAME
   std::uint64_t scene_hash = 0;
   std::string integrator;
   std::map<std::string, std::string> parameters;  ///< all that matter, defaults too
   /// Those that were not left at their defaults: what is not given may follow from others that are.
   std::map<std::string, std::string> given;
   RenderSettings settings;
-  std::vector<std::string> aovs;  ///< all asked for
-  std::string filter;  ///< instead of the scene's, see `parse_filter`; empty: the scene's
   double film_scale = 1.0;
-  WorkShare share;
+  /// Specification, with the limits and layers that came of it. Checkpoints keep those of its
+  /// options that `RenderOption::is_kept` names, which may be changed when they go on.
+  RenderSpec spec;
 };
 
 /// A part of a picture that was put together from several renders.
@@ -43,13 +41,6 @@ struct MergedRun {
 struct Checkpoint {
   std::string version;  ///< of the program that wrote it
   RenderRecord render;
-  // What may be changed when it goes on.
-  Budget budget;
-  std::vector<std::string> outputs;  ///< absolute paths
-  std::string tone_map = "srgb";
-  Exposure exposure;
-  std::string denoiser = "none";
-
   Features features;  ///< of the scene, for filters; may be empty
   std::vector<LayerSpec> layers;
   Development scales;  ///< of the film as it is

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/archive.h"
 #include "session/checkpoint/checkpoint.h"
+#include "session/options/render_options.h"
 
 /// How the parts of a checkpoint are written and read. Whoever changes this must raise
 /// `kCheckpointFormat`.
@@ -19,20 +20,42 @@ void serialize(A& archive, RenderSettings& settings) {
 }
 
 template <Archive A>
+void serialize(A& archive, Exposure& exposure) {
+  archive(exposure.automatic, exposure.stops);
+}
+
+/// The options that are kept, each by its name: with more of them the format is the same.
+template <Archive A>
+void serialize(A& archive, RenderSpec& spec) {
+  std::map<std::string, std::string> kept;
+  const auto through = [&spec](const RenderOption& option, auto& of_option) {
+    std::visit([&](auto member) { of_option(spec.*member); }, option.member);
+  };
+  if constexpr (!A::is_loading::value) {
+    for (const RenderOption& option : render_options()) {
+      if (!option.is_kept || !is_given(option, spec)) continue;
+      kept[option.name] = archived([&](OutputArchive& to) { through(option, to); });
+    }
+  }
+  archive(kept);
+  if constexpr (A::is_loading::value) {
+    for (const RenderOption& option : render_options()) {
+      const auto found = option.is_kept ? kept.extract(option.name) : decltype(kept)::node_type();
+      if (found) unarchive(found.mapped(), [&](InputArchive& from) { through(option, from); });
+    }
+    if (!kept.empty()) throw std::runtime_error("it has an unknown option " + kept.begin()->first);
+  }
+}
+
+template <Archive A>
 void serialize(A& archive, RenderRecord& record) {
-  archive(record.scene, record.definitions, record.scene_hash, record.integrator, record.parameters,
-          record.given, record.settings, record.aovs, record.filter, record.film_scale,
-          record.share);
+  archive(record.scene, record.scene_hash, record.integrator, record.parameters, record.given,
+          record.settings, record.film_scale, record.spec);
 }
 
 template <Archive A>
 void serialize(A& archive, MergedRun& run) {
   archive(run.seed, run.samples_per_pixel);
-}
-
-template <Archive A>
-void serialize(A& archive, Budget& budget) {
-  archive(budget.samples_per_pixel, budget.seconds, budget.target_error, budget.denoised_target);
 }
 
 template <Archive A>
@@ -73,10 +96,14 @@ void serialize(A& archive, Development& development) {
   }
 }
 
+/// Each number by its name, as options.
 template <Archive A>
 void serialize(A& archive, Counters& counters) {
-  for (const auto number : kEventCounts) archive(counters.*number);
-  archive(counters.first_discarded);
+  std::map<std::string, std::uint64_t> numbers;
+  for (const EventCount& count : kEventCounts) numbers[count.name] = counters.*count.number;
+  archive(numbers, counters.first_discarded);
+  for (const EventCount& count : kEventCounts) counters.*count.number = numbers[count.name];
+  if (numbers.size() > kEventCounts.size()) throw std::runtime_error("it has unknown counters");
   std::vector<double> sums = counters.techniques.sums();
   archive(sums);
   if constexpr (A::is_loading::value) {
@@ -112,13 +139,11 @@ template <Archive A>
 void serialize(A& archive, Checkpoint& checkpoint) {
   bool unprepared = checkpoint.unprepared.has_value();
   bool of_samples = checkpoint.unprepared == Shortage::Samples;
-  archive(checkpoint.version, checkpoint.render, checkpoint.budget, checkpoint.outputs,
-          checkpoint.tone_map, checkpoint.exposure.automatic, checkpoint.exposure.stops,
-          checkpoint.denoiser, checkpoint.features.albedo, checkpoint.features.normal,
-          checkpoint.layers, checkpoint.scales, checkpoint.job, checkpoint.integrator_state,
-          checkpoint.preparation, unprepared, of_samples, checkpoint.preparation_rounds,
-          checkpoint.other_seconds, checkpoint.resumptions, checkpoint.interruptions,
-          checkpoint.merged);
+  archive(checkpoint.version, checkpoint.render, checkpoint.features.albedo,
+          checkpoint.features.normal, checkpoint.layers, checkpoint.scales, checkpoint.job,
+          checkpoint.integrator_state, checkpoint.preparation, unprepared, of_samples,
+          checkpoint.preparation_rounds, checkpoint.other_seconds, checkpoint.resumptions,
+          checkpoint.interruptions, checkpoint.merged);
   if constexpr (A::is_loading::value) {
     checkpoint.unprepared.reset();
     if (unprepared) checkpoint.unprepared = of_samples ? Shortage::Samples : Shortage::Time;

@@ -8,11 +8,9 @@
 
 #include "core/error.h"
 #include "core/milestones.h"
-#include "image/tone_curve.h"
-#include "post/denoise/denoiser.h"
-#include "post/exposure.h"
-#include "session/options/filter_option.h"
+#include "session/job/budget.h"
 #include "session/options/limits.h"
+#include "session/options/render_options.h"
 #include "session/scenes/catalog.h"
 
 namespace ajar {
@@ -21,7 +19,6 @@ namespace {
 
 /// What the command line and scenes allow.
 constexpr int kMostEdges = 1000001;
-constexpr std::uint64_t kMaxShares = 1000000;
 /// Far beyond any light, and far from where powers of two end.
 constexpr double kLargestMagnitude = 1e100;
 
@@ -54,11 +51,11 @@ void check_settings(const RenderSettings& settings) {
 }
 
 void check_names(const RenderRecord& render) {
-  for (const auto* names : {&render.aovs, &render.settings.aovs}) {
-    checked_aovs(*names);
+  checked_aovs(render.settings.aovs);
+  for (const auto* names : {&render.spec.layers, &render.settings.aovs}) {
     require_distinct(*names, "a layer is asked for twice");
   }
-  if (!render.filter.empty()) parse_filter("filter", render.filter);
+  check_options(render.spec, &RenderOption::is_kept);
   find_integrator(render.integrator).read(render.given);
 }
 
@@ -70,17 +67,6 @@ void check_record(const RenderRecord& render) {
     throw std::runtime_error(error.what());
   }
   require(std::isfinite(render.film_scale), "its scale is no number");
-  require(render.share.index < render.share.count && render.share.count <= kMaxShares,
-          "its share cannot be");
-}
-
-void check_budget(const Budget& budget) {
-  require(!budget.samples_per_pixel || (*budget.samples_per_pixel >= 1 &&
-                                        *budget.samples_per_pixel <= PassSchedule::kMaxSamples),
-          "its budget of samples cannot be");
-  for (const std::optional<double>& limit : {budget.seconds, budget.target_error}) {
-    require(!limit || (*limit > 0.0 && std::isfinite(*limit)), "its budget cannot be");
-  }
 }
 
 /// `known`: the layers before it.
@@ -196,18 +182,6 @@ void check_samples(const Checkpoint& checkpoint) {
   require_distinct(seeds, "a seed is in it twice");
 }
 
-void check_display(const Checkpoint& checkpoint) {
-  try {
-    tone_map_by_name(checkpoint.tone_map);
-  } catch (const UsageError& error) {
-    throw std::runtime_error(error.what());
-  }
-  require(std::abs(checkpoint.exposure.stops) <= kMostStops, "its exposure cannot be");
-  const auto names = denoiser_names();
-  require(std::find(names.begin(), names.end(), checkpoint.denoiser) != names.end(),
-          "nobody knows its denoiser");
-}
-
 void check_features(const Features& features, const RenderSettings& settings) {
   if (features.albedo.empty() && features.normal.empty()) return;
   const Vec2i size = settings.crop.size() + Vec2i(1, 1);
@@ -239,8 +213,6 @@ bool film_fits(const RenderSettings& settings, const std::vector<LayerSpec>& lay
 
 void check_sense(const Checkpoint& checkpoint) {
   check_record(checkpoint.render);
-  check_budget(checkpoint.budget);
-  check_display(checkpoint);
   check_layers(checkpoint.layers);
   require(film_fits(checkpoint.render.settings, checkpoint.layers, checkpoint.sums.size()),
           "its film has another size");

@@ -10,9 +10,11 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "core/error.h"
+#include "session/options/render_options.h"
 #include "session/testing/checksums.h"
 #include "session/version.h"
 
@@ -38,10 +40,10 @@ class CheckpointFile : public ::testing::Test {
     render.settings.crop = Box2i(Vec2i(1, 1), Vec2i(4, 3));
     render.settings.seed = 5;
     render.settings.replicates = 2;
-    render.aovs = {"albedo"};
-    checkpoint_.budget.seconds = 3.5;
-    checkpoint_.outputs = {"/a/b.exr"};
-    checkpoint_.exposure = {true, 0.5F};
+    render.spec.layers = {"albedo"};
+    render.spec.seconds = 3.5;
+    render.spec.outputs = {"/a/b.exr"};
+    render.spec.exposure = Exposure{true, 0.5F};
     checkpoint_.layers = {{.name = "direct", .magnitude = 0.3},
                           {.name = "indirect"},
                           {.name = "albedo", .has_replicates = false}};
@@ -102,10 +104,10 @@ TEST_F(CheckpointFile, KeepsEverything) {
   EXPECT_EQ(read.job.counters.rays_out_of_range, 567U);
   EXPECT_EQ(read.job.counters.techniques.sums(), checkpoint_.job.counters.techniques.sums());
   EXPECT_EQ(read.integrator_state, checkpoint_.integrator_state);
-  EXPECT_TRUE(read.exposure.automatic);
-  EXPECT_EQ(read.exposure.stops, 0.5F);
-  EXPECT_EQ(read.budget.seconds, 3.5);
-  EXPECT_FALSE(read.budget.samples_per_pixel.has_value());
+  for (const RenderOption& option : render_options()) {
+    EXPECT_EQ(option_json(option, read.render.spec), option_json(option, checkpoint_.render.spec))
+        << option.name;
+  }
   // All else: writing it again gives the same bytes.
   write_checkpoint(path_, read, read.sums);
   EXPECT_EQ(bytes(), first);
@@ -212,15 +214,18 @@ TEST_F(HostileCheckpoint, IsRefusedForItsRender) {
   expect_refused("its depths", [](C& c) { c.render.settings.max_depth = kLargest; });
   expect_refused("unknown integrator", [](C& c) { c.render.integrator = "magic"; });
   expect_refused("unknown parameter", [](C& c) { c.render.given["magic"] = "1"; });
-  expect_refused("unknown AOV", [](C& c) { c.render.aovs = {"magic"}; });
-  expect_refused("asked for twice", [](C& c) { c.render.aovs = {"albedo", "albedo"}; });
+  expect_refused("unknown AOV", [](C& c) { c.render.spec.layers = {"magic"}; });
+  expect_refused("asked for twice", [](C& c) { c.render.spec.layers = {"albedo", "albedo"}; });
   expect_refused("its scale", [](C& c) { c.render.film_scale = kNan; });
-  expect_refused("its share", [](C& c) { c.render.share = {0, 0}; });
-  expect_refused("its share", [](C& c) { c.render.share = {2, 2}; });
-  expect_refused("tone map", [](C& c) { c.tone_map = "magic"; });
-  expect_refused("its exposure", [](C& c) { c.exposure.stops = std::nanf(""); });
-  expect_refused("its budget", [](C& c) { c.budget.samples_per_pixel = ~std::uint64_t{0}; });
-  expect_refused("its budget", [](C& c) { c.budget.seconds = kNan; });
+  expect_refused("share: there is no", [](C& c) { c.render.spec.share = {0, 0}; });
+  expect_refused("share: there is no", [](C& c) { c.render.spec.share = {2, 2}; });
+  expect_refused("tone map", [](C& c) { c.render.spec.tone_map = "magic"; });
+  expect_refused("exposure: must be", [](C& c) {
+    c.render.spec.exposure = Exposure{false, std::nanf("")};
+  });
+  expect_refused("samples_per_pixel: must be",
+                 [](C& c) { c.render.spec.samples_per_pixel = ~std::uint64_t{0}; });
+  expect_refused("seconds: must be", [](C& c) { c.render.spec.seconds = kNan; });
 }
 
 TEST_F(HostileCheckpoint, IsRefusedForItsFilm) {
@@ -349,9 +354,9 @@ TEST_F(CheckpointFile, OfAnotherRenderIsRefusedByName) {
                              +[](RenderRecord& r) { r.settings.max_depth = 7; },
                              +[](RenderRecord& r) { r.settings.crop.min.x = 0; },
                              +[](RenderRecord& r) { r.settings.replicates = 4; },
-                             +[](RenderRecord& r) { r.aovs.clear(); },
+                             +[](RenderRecord& r) { r.spec.layers.clear(); },
                              +[](RenderRecord& r) {
-                               r.share = {1, 2};
+                               r.spec.share = {1, 2};
                              }}) {
     EXPECT_NE(refusal_of(change), "");
   }

@@ -39,7 +39,7 @@ void check_fits(const NamedCheckpoint& first, const NamedCheckpoint& part, bool 
   RenderRecord record = part.checkpoint.render;
   const RenderRecord& wanted = first.checkpoint.render;
   record.settings.seed = wanted.settings.seed;
-  record.share = wanted.share;
+  record.spec.share = wanted.spec.share;
   check_same_render(record, wanted, part.path);
   if (record.scene_hash != wanted.scene_hash) {
     throw UsageError(part.path + ": is of another scene than " + first.path);
@@ -69,14 +69,14 @@ std::int64_t sum_of(std::int64_t a, std::int64_t b) {
 /// The shares of one seed.
 NamedCheckpoint join_shares(std::vector<NamedCheckpoint> shares) {
   std::sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
-    return a.checkpoint.render.share.index < b.checkpoint.render.share.index;
+    return a.checkpoint.render.spec.share.index < b.checkpoint.render.spec.share.index;
   });
   NamedCheckpoint whole = std::move(shares.front());
-  const WorkShare share = whole.checkpoint.render.share;
+  const WorkShare share = whole.checkpoint.render.spec.share;
   const std::uint64_t samples = whole.checkpoint.job.samples_per_pixel;
   std::uint64_t next = 0;
   const auto check_next = [&](const NamedCheckpoint& part) {
-    const WorkShare& own = part.checkpoint.render.share;
+    const WorkShare& own = part.checkpoint.render.spec.share;
     if (own.count != share.count) {
       throw UsageError(fmt::format("{}: is a share of {}, {} one of {}, with the same seed {}",
                                    part.path, own.count, whole.path, share.count, seed_of(part)));
@@ -119,7 +119,7 @@ NamedCheckpoint join_shares(std::vector<NamedCheckpoint> shares) {
     throw UsageError(
         fmt::format("share {}/{} of seed {} is missing", next + 1, share.count, seed_of(whole)));
   }
-  whole.checkpoint.render.share = {};
+  whole.checkpoint.render.spec.share = {};
   return whole;
 }
 

@@ -25,7 +25,7 @@ NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkShare share 
   settings.crop = Box2i(Vec2i(0, 0), kMergedSize - Vec2i(1, 1));
   settings.replicates = kReplicates;
   settings.seed = seed;
-  checkpoint.render.share = share;
+  checkpoint.render.spec.share = share;
   TestIntegrator integrator(kMergedSize, kReplicates);
   integrator.uneven = uneven;
   integrator.first_number = seed * 100000;
@@ -65,7 +65,7 @@ TEST(Merge, SharesGiveTheBitsOfTheWhole) {
   EXPECT_EQ(sum.sums, whole.sums);
   EXPECT_EQ(sum.job.samples_per_pixel, 24U);
   EXPECT_EQ(sum.job.counters.samples, whole.job.counters.samples);
-  EXPECT_EQ(sum.render.share, WorkShare{});
+  EXPECT_EQ(sum.render.spec.share, WorkShare{});
   EXPECT_TRUE(sum.merged.empty()) << "it can go on";
 }
 

@@ -37,8 +37,8 @@ void sum_counters(Ranks& ranks, JobState& state) {
                                                           &JobState::cpu_seconds};
   Counters& counters = state.counters;
   std::vector<std::int64_t> numbers;
-  for (const auto number : kEventCounts) {
-    numbers.push_back(static_cast<std::int64_t>(counters.*number));
+  for (const EventCount& count : kEventCounts) {
+    numbers.push_back(static_cast<std::int64_t>(counters.*count.number));
   }
   std::vector<double> sums = counters.techniques.sums();
   sums.resize(2 * TechniqueShares::kSlots);
@@ -49,7 +49,7 @@ void sum_counters(Ranks& ranks, JobState& state) {
   ranks.sum_to_root(std::span<const double>(sums), whole_sums);
   if (!ranks.is_root()) return;
   for (std::size_t i = 0; i < whole.size(); ++i) {
-    counters.*kEventCounts[i] = static_cast<std::uint64_t>(whole[i]);
+    counters.*kEventCounts[i].number = static_cast<std::uint64_t>(whole[i]);
   }
   for (std::size_t i = 0; i < kSeconds.size(); ++i) {
     state.*kSeconds[i] = whole_sums[2 * TechniqueShares::kSlots + i];
@@ -351,6 +351,20 @@ void RenderJob::show_picture() {
   for (PassObserver* observer : options_.observers) observer->see_picture(film(), whole_state_);
 }
 
+RenderResult result_of(const JobState& state, StopReason reason) {
+  RenderResult result;
+  result.counters = state.counters;
+  result.samples_per_pixel = state.mean_samples();
+  result.seconds = state.seconds;
+  result.cpu_seconds = state.cpu_seconds;
+  result.chain_seconds = state.chain_seconds;
+  result.passes = state.passes;
+  result.relative_error = state.relative_error;
+  result.complete = !state.partial;
+  result.stopped_by = reason;
+  return result;
+}
+
 RenderResult RenderJob::result_of(StopReason reason) {
   const std::uint64_t samples = state_.mean_samples();
   if (!state_.partial && error_samples_ != samples) estimate(samples, false);
@@ -359,17 +373,9 @@ RenderResult RenderJob::result_of(StopReason reason) {
   samples_in_pass_ = 0;
   samples_before_pass_ = samples;
 
-  RenderResult result;
-  result.counters = whole_state_.counters;
-  result.samples_per_pixel = samples;
-  result.seconds = whole_state_.seconds;
+  RenderResult result = ajar::result_of(whole_state_, reason);
   result.own_seconds = clock_.seconds();
-  result.cpu_seconds = whole_state_.cpu_seconds;
-  result.chain_seconds = whole_state_.chain_seconds;
   result.threads = threads_;
-  result.passes = state_.passes;
-  result.relative_error = state_.relative_error;
-  result.stopped_by = reason;
   result.complete = !state_.partial;
   return result;
 }

@@ -77,6 +77,9 @@ struct RenderResult {
   bool complete = true;
 };
 
+/// Result of a render in that state.
+RenderResult result_of(const JobState& state, StopReason reason);
+
 /// Renders: calls the items of an integrator, pass after pass, on all threads, until the budget is
 /// used up. The film ends up with the same bits for any number of threads: items are pure
 /// functions, the film's sums do not depend on order, and decisions that look at the picture are

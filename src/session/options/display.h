@@ -7,6 +7,7 @@ namespace ajar {
 struct Exposure {
   bool automatic = false;  ///< for each picture the one that fits it (`fitting_exposure`)
   float stops = 0.F;       ///< else these
+  bool operator==(const Exposure&) const = default;
 };
 
 /// How pictures for the eye are shown, whatever their light.

@@ -211,13 +211,12 @@ Box2i crop_pixels(const std::string& option, const CropWindow& crop, Vec2i resol
 }
 
 WorkShare parse_share(const std::string& option, std::string_view text) {
-  constexpr std::uint64_t kMost = 1000000;
   const std::string expected = "K/N, the K-th of N shares, such as 3/8";
   const std::vector<std::string_view> parts = split(text, '/');
   if (parts.size() != 2) reject(option, text, expected);
   const auto number = whole_text_number<std::uint64_t>(parts[0]);
   const auto count = whole_text_number<std::uint64_t>(parts[1]);
-  if (!number || !count || *number < 1 || *count > kMost || *number > *count) {
+  if (!number || !count || *number < 1 || *count > kMostShares || *number > *count) {
     reject(option, text, expected);
   }
   return {*number - 1, *count};

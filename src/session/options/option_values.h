@@ -60,7 +60,8 @@ CropWindow parse_crop(const std::string& option, std::string_view text);
 /// UsageError if none is inside.
 Box2i crop_pixels(const std::string& option, const CropWindow& crop, Vec2i resolution);
 
-/// `K/N`: the K-th of N shares, 1 ≤ K ≤ N ≤ 1000000.
+inline constexpr std::uint64_t kMostShares = 1000000;
+/// `K/N`: the K-th of N shares, 1 ≤ K ≤ N ≤ kMostShares.
 WorkShare parse_share(const std::string& option, std::string_view text);
 
 /// `KEY=VALUE` pairs; a key that is given twice keeps the last value.

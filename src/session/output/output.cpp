@@ -90,19 +90,17 @@ bool has_replicates(const Film& film, std::uint64_t samples) {
   return film.replicates() > 1 && samples >= static_cast<std::uint64_t>(film.replicates());
 }
 
-/// Layers whose three channels are one number.
-bool is_single_number(const std::string& name) {
-  return name == "depth" || name == "coverage" || name == "alpha" || name == "density" ||
-         name == "acceptance";
+LayerValue value_of(const std::string& layer) {
+  const AovInfo* const info = find_aov(layer);
+  return info == nullptr ? LayerValue::Color : info->value;
 }
 
-Picture::Layer one_channel(const Picture::Layer& layer) {
+Picture::Layer one_channel(const Picture::Layer& layer, LayerValue value) {
   Picture::Layer single{layer.name, 1, std::vector<float>(layer.pixels.size() / 3)};
   for (std::size_t i = 0; i < single.pixels.size(); ++i) {
     single.pixels[i] = layer.pixels[3 * i];
-    // A mean over events, with their number beside it.
     const float events = layer.pixels[3 * i + 1];
-    if (layer.name == "acceptance") single.pixels[i] /= events > 0.F ? events : 1.F;
+    if (value == LayerValue::Mean) single.pixels[i] /= events > 0.F ? events : 1.F;
   }
   return single;
 }
@@ -223,7 +221,8 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
       add_to_part(picture, spec.part_of, layer.pixels);
       continue;
     }
-    if (is_single_number(spec.name)) layer = one_channel(layer);
+    const LayerValue value = value_of(spec.name);
+    if (value != LayerValue::Color) layer = one_channel(layer, value);
     if (spec.name == "alpha") alpha = layer;
     if (spec.name == "coverage") coverage = layer;
     const bool divides =

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/number_text.h"
 #include "os/atomic_file.h"
+#include "session/options/render_options.h"
 #include "session/version.h"
 
 namespace ajar {
@@ -61,10 +63,13 @@ std::string budget_text(const Budget& budget) {
   return text.empty() ? "none" : text;
 }
 
-Json parameters_json(const RenderStatistics& s) {
-  Json parameters = Json::object();
-  for (const auto& [name, value] : s.parameters) parameters[name] = value;
-  return parameters;
+/// Options that were given, of those that checkpoints keep.
+Json options_json(const RenderSpec& spec) {
+  Json json = Json::object();
+  for (const RenderOption& option : render_options()) {
+    if (option.is_kept) json[option.name] = option_json(option, spec);
+  }
+  return json;
 }
 
 /// Stops are decimal for those who read them, not what a float makes of them.
@@ -72,12 +77,14 @@ Json exposure_json(const Exposure& exposure) {
   return {{"stops", decimal_of(exposure.stops)}, {"auto", exposure.automatic}};
 }
 
-Json discarded_json(const Counters& counters, const Counters& preparation) {
-  return {{"nan", counters.discarded_nan},
-          {"infinite", counters.discarded_infinite},
-          {"negative", counters.discarded_negative},
-          {"rays_out_of_range", counters.rays_out_of_range + preparation.rays_out_of_range},
-          {"first", counters.first_discarded.empty() ? Json() : Json(counters.first_discarded)}};
+void add_counts(const Counters& counters, const Counters& preparation, Json& json) {
+  for (const EventCount& count : kEventCounts) {
+    std::string place = "/" + std::string(count.name);
+    std::replace(place.begin(), place.end(), '.', '/');
+    json[Json::json_pointer(place)] =
+        counters.*count.number + (count.with_preparation ? preparation.*count.number : 0);
+  }
+  json["discarded"]["first"] = text_or_null(counters.first_discarded);
 }
 
 Json techniques_json(const TechniqueShares& shares) {
@@ -95,32 +102,33 @@ Json techniques_json(const TechniqueShares& shares) {
 
 Json to_json(const RenderStatistics& s) {
   const RenderResult& r = s.result;
+  const RenderSettings& settings = s.render.settings;
+  const RenderSpec& spec = s.render.spec;
   Json json;
   json["program"] = "ajar";
   json["version"] = version();
-  json["scene"] = s.scene;
-  json["scene_hash"] = fmt::format("{:016x}", s.scene_hash);
-  json["integrator"] = s.integrator;
-  json["parameters"] = parameters_json(s);
-  json["depth"] = {{"min", s.min_depth}, {"max", s.max_depth}};
-  json["seed"] = s.seed;
+  json["scene"] = s.render.scene;
+  json["scene_hash"] = fmt::format("{:016x}", s.render.scene_hash);
+  json["integrator"] = s.render.integrator;
+  json["parameters"] = s.render.parameters;
+  json["depth"] = {{"min", settings.min_depth}, {"max", settings.max_depth}};
+  json["seed"] = settings.seed;
   json["threads"] = r.threads;
-  json["resolution"] = {s.resolution.x, s.resolution.y};
-  json["crop"] = {s.crop.min.x, s.crop.min.y, s.crop.max.x + 1, s.crop.max.y + 1};
-  json["filter"] = text_or_null(s.filter);
+  json["resolution"] = {settings.resolution.x, settings.resolution.y};
+  json["crop"] = {settings.crop.min.x, settings.crop.min.y, settings.crop.max.x + 1,
+                  settings.crop.max.y + 1};
+  json["filter"] = text_or_null(spec.filter);
   json["seconds"] = {{"load", s.times.load},
                      {"build", s.times.build},
                      {"prepare", s.times.prepare},
                      {"render", r.seconds},
                      {"denoise", s.times.denoise}};  // the last of all runs, the others of this one
   json["cpu_seconds"] = r.cpu_seconds;
-  json["rays"] = r.counters.rays + s.preparation.rays;
+  add_counts(r.counters, s.preparation, json);
   json["rays_per_second"] = per_second(r.counters.rays, r.seconds);
-  json["samples"] = r.counters.samples;
   json["samples_per_pixel"] = r.samples_per_pixel;
-  json["replicates"] = s.replicates;
+  json["replicates"] = settings.replicates;
   json["passes"] = r.passes;
-  json["mutations"] = r.counters.mutations;
   json["mutations_per_second"] = per_second(r.counters.mutations, r.seconds);
   json["chain_cpu_seconds"] = r.chain_seconds;
   json["prepared"] = s.prepared;
@@ -134,11 +142,10 @@ Json to_json(const RenderStatistics& s) {
   json["warnings"] = s.warning_count;
   json["warning_messages"] = s.warnings;
   json["techniques"] = techniques_json(r.counters.techniques);
-  json["discarded"] = discarded_json(r.counters, s.preparation);
-  json["budget"] = budget_json(s.budget);
-  json["share"] = {s.share.index + 1, s.share.count};
+  json["budget"] = budget_json(spec.budget());
+  json["share"] = {spec.share.index + 1, spec.share.count};
   json["ranks"] = s.ranks;
-  json["checkpoint"] = text_or_null(s.checkpoint);
+  json["checkpoint"] = text_or_null(spec.checkpoint);
   json["resumed_from"] = text_or_null(s.resumed_from);
   json["resumptions"] = s.resumptions;
   json["interruptions"] = s.interruptions;
@@ -150,24 +157,27 @@ Json to_json(const RenderStatistics& s) {
   json["denoiser"] = text_or_null(s.denoiser);
   json["exposure"] = exposure_json(s.exposure);
   json["outputs"] = s.outputs;
+  json["options"] = options_json(spec);
   return json;
 }
 
 std::map<std::string, std::string> to_metadata(const RenderStatistics& s) {
   const RenderResult& r = s.result;
+  const RenderSettings& settings = s.render.settings;
+  const WorkShare& share = s.render.spec.share;
   std::map<std::string, std::string> metadata{
       {"ajar:version", version()},
-      {"ajar:scene", s.scene},
-      {"ajar:scene_hash", fmt::format("{:016x}", s.scene_hash)},
-      {"ajar:integrator", s.integrator},
-      {"ajar:depth", fmt::format("{}:{}", s.min_depth, s.max_depth)},
-      {"ajar:seed", std::to_string(s.seed)},
+      {"ajar:scene", s.render.scene},
+      {"ajar:scene_hash", fmt::format("{:016x}", s.render.scene_hash)},
+      {"ajar:integrator", s.render.integrator},
+      {"ajar:depth", fmt::format("{}:{}", settings.min_depth, settings.max_depth)},
+      {"ajar:seed", std::to_string(settings.seed)},
       {"ajar:samples_per_pixel", std::to_string(r.samples_per_pixel)},
-      {"ajar:replicates", std::to_string(s.replicates)},
+      {"ajar:replicates", std::to_string(settings.replicates)},
       {"ajar:rays", std::to_string(r.counters.rays)},
       {"ajar:render_seconds", fmt::format("{:.3f}", r.seconds)},
       {"ajar:threads", std::to_string(r.threads)},
-      {"ajar:budget", budget_text(s.budget)},
+      {"ajar:budget", budget_text(s.render.spec.budget())},
       {"ajar:resumptions", std::to_string(s.resumptions)},
       {"ajar:interruptions", std::to_string(s.interruptions)},
       {"ajar:stopped_by", to_string(r.stopped_by)},
@@ -176,8 +186,8 @@ std::map<std::string, std::string> to_metadata(const RenderStatistics& s) {
       {"ajar:prepared", s.prepared ? "true" : "false"},
   };
   if (!s.resumed_from.empty()) metadata["ajar:resumed_from"] = s.resumed_from;
-  if (s.share.count > 1) {
-    metadata["ajar:share"] = fmt::format("{}/{}", s.share.index + 1, s.share.count);
+  if (share.count > 1) {
+    metadata["ajar:share"] = fmt::format("{}/{}", share.index + 1, share.count);
   }
   if (r.relative_error) {
     metadata["ajar:estimated_relative_error"] = fmt::format("{:.6g}", r.relative_error->value);
@@ -188,7 +198,7 @@ std::map<std::string, std::string> to_metadata(const RenderStatistics& s) {
   if (s.denoised_error) {
     metadata["ajar:estimated_denoised_error"] = fmt::format("{:.6g}", *s.denoised_error);
   }
-  for (const auto& [name, value] : s.parameters) metadata["ajar:parameter:" + name] = value;
+  for (const auto& [name, value] : s.render.parameters) metadata["ajar:parameter:" + name] = value;
   return metadata;
 }
 

@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/vector.h"
 #include "core/warnings.h"
+#include "session/checkpoint/checkpoint.h"
 #include "session/job/render_job.h"
-#include "session/options/display.h"
 
 namespace ajar {
 
@@ -24,24 +23,11 @@ struct StepTimes {
 
 /// Everything that `--stats` says about a render.
 struct RenderStatistics {
-  std::string scene;
-  std::uint64_t scene_hash = 0;
-  std::string integrator;
-  std::map<std::string, std::string, std::less<>> parameters;
-  std::uint64_t seed = 0;
-  int replicates = 0;
-  int min_depth = 0;
-  int max_depth = 0;
-  Vec2i resolution{0, 0};
-  Box2i crop;          ///< inclusive
-  std::string filter;  ///< instead of the scene's; may be empty
+  RenderRecord render;  ///< its scene as the user calls it
   StepTimes times;
   RenderResult result;
-  Counters preparation;  ///< what was spent before the first pass
-  bool prepared = true;  ///< false: there was no time for it
-  Budget budget;
-  WorkShare share;
-  std::string checkpoint;                      ///< file; empty: none
+  Counters preparation;                        ///< what was spent before the first pass
+  bool prepared = true;                        ///< false: there was no time for it
   std::string resumed_from;                    ///< file; empty: this run began anew
   std::uint32_t resumptions = 0;               ///< of the whole render
   std::uint32_t interruptions = 0;             ///< by signals

@@ -10,12 +10,12 @@ namespace {
 
 RenderStatistics example() {
   RenderStatistics s;
-  s.scene = "room.pbrt";
-  s.integrator = "pt";
-  s.parameters["sampler"] = "sobol";
-  s.seed = 7;
-  s.resolution = {640, 480};
-  s.crop = Box2i(Vec2i(0, 0), Vec2i(639, 479));
+  s.render.scene = "room.pbrt";
+  s.render.integrator = "pt";
+  s.render.parameters["sampler"] = "sobol";
+  s.render.settings.seed = 7;
+  s.render.settings.resolution = {640, 480};
+  s.render.settings.crop = Box2i(Vec2i(0, 0), Vec2i(639, 479));
   s.result.seconds = 2.0;
   s.result.counters.rays = 1000;
   s.result.counters.discarded_nan = 3;

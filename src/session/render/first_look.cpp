@@ -29,10 +29,10 @@ void show(RenderState& state, std::vector<float> rgb) {
 }  // namespace
 
 void open_preview(RenderState& state) {
-  const RenderFiles& files = state.order.files;
-  if (!files.preview || !state.order.is_root()) return;
+  const std::string& viewer = state.order.spec.preview;
+  if (viewer.empty() || !state.order.is_root()) return;
   PreviewOptions options;
-  options.viewer = *files.preview;
+  options.viewer = parse_viewer("--preview", viewer);
   options.name = "ajar: " + scene_stem(state.order.scene);
   options.film_scale = state.plan->record.film_scale;
   options.aovs = state.plan->setup.aovs;

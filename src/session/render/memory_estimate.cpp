@@ -36,7 +36,6 @@ std::uint64_t film_bytes(const Box2i& crop, int replicates, const std::vector<La
 
 std::uint64_t picture_bytes(const Box2i& crop, int replicates, const std::vector<LayerSpec>& layers,
                             const std::vector<std::string>& aovs) {
-  constexpr std::uint64_t kDividedLayers = 5;
   std::uint64_t shown = 1;  // their sum
   bool has_boxes = false;
   for (const LayerSpec& layer : layers) {
@@ -45,10 +44,10 @@ std::uint64_t picture_bytes(const Box2i& crop, int replicates, const std::vector
   }
   if (has_boxes) ++shown;
   for (const std::string& name : aovs) {
-    if (name == "replicates") shown += static_cast<std::uint64_t>(replicates);
-    if (name == "samples" || name == "standard-error") ++shown;
-    if (name == "divided") shown += kDividedLayers;
-    if (name == "standard-error-by-scale") shown += kErrorScales.size();
+    const AovInfo* const info = find_aov(name);
+    if (info == nullptr) continue;
+    shown += static_cast<std::uint64_t>(info->pictures == AovInfo::kPerReplicate ? replicates
+                                                                                 : info->pictures);
   }
   const std::uint64_t shown_bytes = kChannels * sizeof(float) * kPictureCopies * shown;
   // Errors are estimated before, not meanwhile.

@@ -31,7 +31,7 @@ PreparationLimits preparation_limits(const RenderState& state) {
     }
   } else {
     // A share of a render must be prepared like the others, or refused like them.
-    if (state.order.share.count > 1) return limits;
+    if (state.order.spec.share.count > 1) return limits;
     const RenderSetup& setup = state.plan->setup;
     limits.seconds = setup.budget.seconds;
     if (limits.seconds) *limits.seconds -= state.statistics.times.build;
@@ -72,7 +72,7 @@ void prepare(RenderState& state) {
 
 void tell_of_method(RenderState& state) {
   const RenderSetup& setup = state.plan->setup;
-  if (state.order.share.count > 1 && state.integrator->keeps_state()) {
+  if (state.order.spec.share.count > 1 && state.integrator->keeps_state()) {
     throw UsageError("renders with " + setup.integrator->name +
                      " cannot be divided into shares: its chains learn from each other; render "
                      "several seeds, and merge them");
@@ -106,14 +106,15 @@ bool goes_on(RenderState& state) {
   state.events.note(
       "interrupted while preparing: the picture will be of what was found so far; the render "
       "itself has not begun" +
-      std::string(state.order.files.checkpoint.empty() ? "" : ", so no checkpoint is written"));
+      std::string(state.order.spec.checkpoint.empty() ? "" : ", so no checkpoint is written"));
   return true;
 }
 
 void take_state(RenderState& state) {
   Checkpoint& checkpoint = *state.order.resumed;
   const std::vector<LayerSpec> layers = state.integrator->layers();
-  check_scene(checkpoint, state.scene->hash(), layers, state.order.resumed_from, state.order.force);
+  check_scene(checkpoint, state.scene->hash(), layers, state.order.resumed_from,
+              state.order.spec.force);
   try {
     unarchive(checkpoint.integrator_state, [&](InputArchive& archive) {
       state.integrator->load_state(archive, checkpoint.job.samples_per_pixel);
@@ -126,8 +127,7 @@ void take_state(RenderState& state) {
 /// Makes the filter of pictures, if there is one.
 void make_filter(RenderState& state) {
   std::string note;
-  std::shared_ptr<const Denoiser> denoiser =
-      find_denoiser(state.order.files.denoiser_name(), &note);
+  std::shared_ptr<const Denoiser> denoiser = find_denoiser(state.order.spec.denoiser_name(), &note);
   if (!note.empty()) state.events.note(note);
   if (!denoiser) return;
   const RenderSettings& settings = state.plan->setup.settings;
@@ -139,7 +139,7 @@ void make_filter(RenderState& state) {
   };
   state.filter = std::make_shared<PictureFilter>(std::move(denoiser), look);
   // Those who merge checkpoints have no scene to look at.
-  if (state.order.files.checkpoint.empty() || !state.has_begun) return;
+  if (state.order.spec.checkpoint.empty() || !state.has_begun) return;
   const int before = state.interrupts;
   state.filter->know_features(settings.crop.size() + Vec2i(1, 1),
                               [&](double /*done*/) { return state.interrupts == before; });
@@ -148,7 +148,7 @@ void make_filter(RenderState& state) {
 void make_film(RenderState& state) {
   const RenderSetup& setup = state.plan->setup;
   const std::vector<LayerSpec> layers = state.integrator->layers();
-  if (state.order.request && !state.order.all_aovs && state.statistics.prepared) {
+  if (!state.order.as_before && !state.order.spec.wants_all_layers() && state.statistics.prepared) {
     std::vector<LayerSpec> made = layers;
     for (const auto& [name, plane] : state.integrator->findings().maps)
       made.push_back({.name = name});

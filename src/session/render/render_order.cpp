@@ -2,24 +2,12 @@
 
 #include <filesystem>
 
-#include "image/tone_curve.h"
+#include "session/options/render_options.h"
 
 namespace ajar {
 
-Display RenderFiles::display() const {
-  return {tone_map_by_name(tone_map_name()), exposure.value_or(Exposure())};
-}
-
-std::vector<std::string> RenderFiles::all() const {
-  std::vector<std::string> paths = pictures;
-  for (const std::string& path : {statistics, checkpoint}) {
-    if (!path.empty()) paths.push_back(path);
-  }
-  return paths;
-}
-
 void lock_checkpoint_of(RenderOrder& order) {
-  const std::string& path = order.files.checkpoint;
+  const std::string& path = order.spec.checkpoint;
   if (order.is_root() && !path.empty()) order.lock.emplace(lock_checkpoint(path));
 }
 
@@ -32,20 +20,21 @@ bool resume_if_there(const std::string& path, RenderOrder& order) {
 }
 
 void resume_from(const std::string& path, RenderOrder& order) {
-  if (order.files.checkpoint.empty()) order.files.checkpoint = path;
+  RenderSpec& spec = order.spec;
+  if (spec.checkpoint.empty()) spec.checkpoint = path;
   lock_checkpoint_of(order);
   order.resumed = read_checkpoint(path);
   order.resumed_from = path;
-  const Checkpoint& checkpoint = *order.resumed;
-  if (order.scene.empty()) order.scene = checkpoint.render.scene;
-  order.definitions = checkpoint.render.definitions;
-  order.share = checkpoint.render.share;
-  if (order.budget.is_empty()) order.budget = checkpoint.budget;
-  RenderFiles& files = order.files;
-  if (files.pictures.empty()) files.pictures = checkpoint.outputs;
-  if (files.tone_map.empty()) files.tone_map = checkpoint.tone_map;
-  if (!files.exposure) files.exposure = checkpoint.exposure;
-  if (files.denoiser.empty()) files.denoiser = checkpoint.denoiser;
+  order.as_before = true;
+  const RenderRecord& before = order.resumed->render;
+  if (order.scene.empty()) order.scene = before.scene;
+  // One limit replaces all.
+  const bool has_budget = !spec.budget().is_empty();
+  for (const RenderOption& option : render_options()) {
+    const bool is_new = option.has(commands::kResume) &&
+                        (option.group == OptionGroup::Stop ? has_budget : is_given(option, spec));
+    if (option.is_kept && !is_new) copy_option(option, before.spec, spec);
+  }
 }
 
 }  // namespace ajar

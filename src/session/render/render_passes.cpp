@@ -9,7 +9,6 @@
 #include "session/render/event_teller.h"
 #include "session/render/render_concerns.h"
 #include "session/render/render_writers.h"
-#include "session/render/statistics_of.h"
 #include "session/version.h"
 
 namespace ajar {
@@ -26,13 +25,8 @@ Checkpoint checkpoint_base(const RenderState& state) {
   Checkpoint base;
   base.version = version();
   base.render = state.plan->record;
-  base.budget = state.plan->setup.budget;
-  for (const std::string& path : state.order.files.pictures) {
-    base.outputs.push_back(absolute_path(path));
-  }
-  base.tone_map = state.order.files.tone_map_name();
-  base.exposure = state.order.files.exposure.value_or(Exposure());
-  base.denoiser = state.order.files.denoiser_name();
+  base.render.spec.outputs = state.order.spec.outputs;  // as they are called by now
+  for (std::string& path : base.render.spec.outputs) path = absolute_path(path);
   if (state.filter) base.features = state.filter->features();
   base.layers.assign(state.film->layers().begin(), state.film->layers().end());
   base.preparation =
@@ -67,7 +61,7 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
   options.budget = state.plan->setup.budget;
   // A time limit covers everything after loading.
   if (options.budget.seconds) *options.budget.seconds -= state.other_seconds;
-  options.threads = state.order.threads;
+  options.threads = state.order.spec.threads;
   options.estimate_error = [&integrator = *state.integrator](const Film& film,
                                                              std::uint64_t samples) {
     return estimate_error(film, integrator, samples);
@@ -76,14 +70,14 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
     return estimate_denoised_error(state, film, samples);
   };
   options.interrupts = &state.interrupts;
-  options.share = state.order.share;
+  options.share = state.order.spec.share;
   options.ranks = state.order.ranks;
   if (state.order.resumed) {
     options.resumed = std::move(state.order.resumed->job);
-    const bool is_of_same_picture =
-        state.order.resumed->budget.denoised_target == options.budget.denoised_target &&
-        (!options.budget.denoised_target ||
-         state.order.resumed->denoiser == state.order.files.denoiser_name());
+    const RenderSpec& before = state.order.resumed->render.spec;
+    const bool is_of_same_picture = before.denoised_target == options.budget.denoised_target &&
+                                    (!options.budget.denoised_target ||
+                                     before.denoiser_name() == state.order.spec.denoiser_name());
     // Errors of the one picture say nothing of those of the other.
     if (!is_of_same_picture) options.resumed->recent_errors.clear();
   }
@@ -154,7 +148,7 @@ RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& wr
   for (const Warning& concern : concerns_about(result)) state.warn(concern);
   outcome.statistics = state.statistics_with(result);
   picture.metadata = to_metadata(outcome.statistics);
-  const Display display = state.order.files.display();
+  const Display display = state.order.spec.display();
   outcome.display = display.of(picture);
   outcome.statistics.exposure = {display.exposure.automatic, outcome.display.exposure};
   outcome.picture = std::make_shared<const Picture>(std::move(picture));
@@ -165,7 +159,7 @@ RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& wr
 
   const RenderOrder& order = state.order;
   const bool nothing_new = order.resumed && job.state().passes == state.passes_before &&
-                           !job.state().partial && order.files.checkpoint == order.resumed_from;
+                           !job.state().partial && order.spec.checkpoint == order.resumed_from;
   writers.write_last(job, !nothing_new, state.interrupts, outcome);
   state.watch.know(outcome.statistics);
   return outcome;
@@ -184,7 +178,7 @@ RenderOutcome render_passes(RenderState& state) {
   std::vector<PassObserver*> observers;
   if (state.order.is_root()) {
     std::optional<Checkpoint> base;
-    if (state.has_begun && !state.order.files.checkpoint.empty()) base = checkpoint_base(state);
+    if (state.has_begun && !state.order.spec.checkpoint.empty()) base = checkpoint_base(state);
     if (state.preview) state.preview->filter_by(state.filter);
     writers.emplace(state.order, *state.integrator, std::move(base), std::move(state.preview),
                     develop, state.events);

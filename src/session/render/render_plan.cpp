@@ -12,20 +12,15 @@ namespace ajar {
 namespace {
 
 RenderSetup choose_setup(const RenderOrder& order, const desc::SceneDesc& description) {
-  if (!order.request) return setup_of(order.resumed->render, order.budget);
-  RenderSetup setup = make_setup(*order.request, description.hints, description.film);
-  setup.settings.for_filters = order.files.denoiser_name() != "none";
+  if (order.as_before) return setup_of(order.resumed->render, order.spec.budget());
+  RenderSetup setup = make_setup(order.spec, description.hints, description.film);
+  setup.settings.for_filters = order.spec.denoiser_name() != "none";
   if (order.resumed) {
     setup.settings.replicates = order.resumed->render.settings.replicates;
     setup.settings.for_filters = order.resumed->render.settings.for_filters;
     check_budget(setup.budget, setup.settings.replicates);
   }
   return setup;
-}
-
-/// Instead of the scene's; may be empty.
-const std::string& filter_of(const RenderOrder& order) {
-  return order.request ? order.request->filter : order.resumed->render.filter;
 }
 
 Parameters read_parameters(const RenderSetup& setup) {
@@ -40,22 +35,21 @@ Parameters read_parameters(const RenderSetup& setup) {
 }  // namespace
 
 void change_film(const RenderOrder& order, desc::SceneDesc& description) {
-  const std::string& filter = filter_of(order);
+  const std::string& filter = order.spec.filter;
   if (!filter.empty()) description.film.filter = parse_filter("--filter", filter);
 }
 
 RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& description) {
   RenderSetup setup = choose_setup(order, description);
-  if (order.share.count > 1 && setup.budget.target_error) {
+  if (order.spec.share.count > 1 && setup.budget.target_error) {
     throw UsageError("--target-error cannot go with a share: all shares need the same samples");
   }
   if (setup.budget.target_error && setup.budget.denoised_target &&
-      order.files.denoiser_name() == "none") {
+      order.spec.denoiser_name() == "none") {
     throw UsageError("--target-error denoised:X needs a filter (--denoise auto, oidn or builtin)");
   }
   Parameters parameters = read_parameters(setup);
-  RenderRecord record = record_of(setup, parameters, order.scene, order.definitions, order.share);
-  record.filter = filter_of(order);
+  RenderRecord record = record_of(setup, parameters, order.scene, order.spec);
   record.film_scale = static_cast<double>(description.film.scale);
   if (order.resumed) check_same_render(order.resumed->render, record, order.resumed_from);
   return {std::move(setup), std::move(parameters), std::move(record),
@@ -69,7 +63,7 @@ MemoryEstimate memory_of(const RenderPlan& plan, const RenderOrder& order,
   const int replicates = setup.settings.replicates;
   // The root of several ranks has the sum beside its own part, a preview develops a copy.
   const std::uint64_t films =
-      1U + (order.ranks != nullptr ? 1U : 0U) + (order.files.preview ? 1U : 0U);
+      1U + (order.ranks != nullptr ? 1U : 0U) + (order.spec.preview.empty() ? 0U : 1U);
   estimate.film = films * film_bytes(setup.crop, replicates, layers);
   estimate.pictures = picture_bytes(setup.crop, replicates, layers, setup.aovs);
   return estimate;
@@ -79,7 +73,7 @@ void check_memory(const MemoryEstimate& estimate, const RenderOrder& order,
                   const SourceLocation& film) {
   const std::string complaint = memory_complaint(estimate, available_memory_bytes());
   if (complaint.empty()) return;
-  if (order.size_from_scene) throw SceneError(film, complaint);
+  if (!order.as_before && !order.spec.has_size()) throw SceneError(film, complaint);
   throw UsageError(complaint);
 }
 

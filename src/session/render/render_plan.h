@@ -17,9 +17,9 @@ struct RenderPlan {
   Filter filter;
 };
 
-/// Raises UsageError for what cannot be, SceneError if that is the scene's fault.
 /// Puts in what the user wants of the film instead of what the file says. Raises UsageError.
 void change_film(const RenderOrder& order, desc::SceneDesc& description);
+/// Raises UsageError for what cannot be, SceneError if that is the scene's fault.
 RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& description);
 
 /// Of a film with these layers and what hangs on it.

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "session/render/statistics_of.h"
 #include "session/scenes/scene_file.h"
 
 namespace ajar {
@@ -11,11 +10,10 @@ namespace {
 
 /// What is known once it is clear what is rendered.
 RenderStatistics first_statistics(const RenderState& state) {
-  RenderStatistics statistics = statistics_of(state.plan->record);
+  RenderStatistics statistics;
   const RenderOrder& order = state.order;
-  statistics.scene = order.scene;  // as the user calls it
-  statistics.budget = state.plan->setup.budget;
-  statistics.checkpoint = order.files.checkpoint;
+  statistics.render = state.plan->record;
+  statistics.render.scene = order.scene;  // as the user calls it
   statistics.ranks = order.ranks == nullptr ? 1 : order.ranks->count();
   statistics.times = state.statistics.times;
   return statistics;
@@ -25,7 +23,7 @@ std::shared_ptr<const BuiltScene> build(RenderState& state, desc::SceneDesc&& de
   state.events.phase_begun(RenderPhase::Build);
   const Stopwatch clock;
   auto built = std::make_shared<const BuiltScene>(
-      std::move(description), state.plan->setup.resolution, state.plan->record.filter);
+      std::move(description), state.plan->setup.resolution, state.plan->record.spec.filter);
   state.statistics.times.build = clock.seconds();
   if (state.order.loaded) state.order.loaded->keep(built);
   return built;
@@ -38,7 +36,7 @@ desc::SceneDesc load_description(RenderState& state) {
   state.events.phase_begun(RenderPhase::Load);
   const Stopwatch clock;
   desc::SceneDesc description =
-      load_scene(state.order.scene, state.warnings, state.order.definitions);
+      load_scene(state.order.scene, state.warnings, state.order.spec.definitions);
   state.statistics.times.load = clock.seconds();
   return description;
 }
@@ -50,7 +48,7 @@ void build_scene(RenderState& state, desc::SceneDesc description) {
       memory_of(plan, state.order, {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}});
   std::shared_ptr<const BuiltScene> built;
   if (state.order.loaded) {
-    built = state.order.loaded->built(plan.setup.resolution, plan.record.filter);
+    built = state.order.loaded->built(plan.setup.resolution, plan.record.spec.filter);
   }
   if (!built) least.scene = scene_bytes(description);
   check_memory(least, state.order, description.film.where);

@@ -30,10 +30,9 @@ bool declares(const IntegratorInfo& info, const std::string& parameter) {
                      [&](const ParameterSpec& spec) { return spec.name == parameter; });
 }
 
-void choose_integrator(const RenderRequest& request, const desc::RenderHints& hints,
-                       RenderSetup& setup) {
-  if (!request.integrator.empty()) {
-    setup.integrator = &find_integrator(request.integrator);
+void choose_integrator(const RenderSpec& spec, const desc::RenderHints& hints, RenderSetup& setup) {
+  if (!spec.integrator.empty()) {
+    setup.integrator = &find_integrator(spec.integrator);
   } else if (hints.integrator == kPlain) {
     setup.integrator = &find_integrator(kDefaultIntegrator);
     setup.notes.push_back(fmt::format(
@@ -78,8 +77,7 @@ void take_hint(const std::string& name, const std::string& value, RenderSetup& s
   }
 }
 
-void choose_parameters(const RenderRequest& request, const desc::RenderHints& hints,
-                       RenderSetup& setup) {
+void choose_parameters(const RenderSpec& spec, const desc::RenderHints& hints, RenderSetup& setup) {
   const IntegratorInfo& info = *setup.integrator;
   if (hints.integrator == info.name) {
     for (const auto& [name, value] : hints.parameters) {
@@ -89,12 +87,11 @@ void choose_parameters(const RenderRequest& request, const desc::RenderHints& hi
     }
   }
   if (hints.sampler && declares(info, "sampler")) setup.parameters["sampler"] = *hints.sampler;
-  for (const auto& [name, value] : request.parameters) setup.parameters[name] = value;
+  for (const auto& [name, value] : spec.parameters) setup.parameters[name] = value;
 }
 
-void choose_budget(const RenderRequest& request, const desc::RenderHints& hints,
-                   RenderSetup& setup) {
-  setup.budget = request.budget;
+void choose_budget(const RenderSpec& spec, const desc::RenderHints& hints, RenderSetup& setup) {
+  setup.budget = spec.budget();
   Budget& budget = setup.budget;
   if (!budget.samples_per_pixel && !budget.seconds && !budget.target_error) {
     const int samples = hints.samples_per_pixel.value_or(RenderSetup::kDefaultSamples);
@@ -107,29 +104,36 @@ void choose_budget(const RenderRequest& request, const desc::RenderHints& hints,
   check_budget(budget, setup.settings.replicates);
 }
 
-void choose_depth(const RenderRequest& request, const desc::RenderHints& hints,
-                  RenderSetup& setup) {
+void choose_depth(const RenderSpec& spec, const desc::RenderHints& hints, RenderSetup& setup) {
   RenderSettings& settings = setup.settings;
-  settings.min_depth = request.depth.minimum.value_or(1);
+  settings.min_depth = spec.min_depth.value_or(1);
   settings.max_depth =
-      request.depth.maximum.value_or(hints.max_depth.value_or(desc::RenderHints::kDefaultMaxDepth));
+      spec.max_depth.value_or(hints.max_depth.value_or(desc::RenderHints::kDefaultMaxDepth));
   if (settings.min_depth > settings.max_depth) {
     throw UsageError(fmt::format("--depth: the minimum {} is above the maximum {}{}",
                                  settings.min_depth, settings.max_depth,
-                                 request.depth.maximum ? "" : " of the scene; give both, MIN:MAX"));
+                                 spec.max_depth ? "" : " of the scene; give both, MIN:MAX"));
   }
 }
 
-void choose_pixels(const RenderRequest& request, const desc::Film& film, RenderSetup& setup) {
+std::optional<CropWindow> crop_of(const RenderSpec& spec) {
+  if (!spec.crop) return spec.crop_window;
+  CropWindow window{.fractions = false};
+  std::copy(spec.crop->begin(), spec.crop->end(), window.values.begin());
+  return window;
+}
+
+void choose_pixels(const RenderSpec& spec, const desc::Film& film, RenderSetup& setup) {
   Vec2i& resolution = setup.resolution;
-  resolution = request.resolution.value_or(film.resolution);
-  if (request.scale) {
-    if (!(*request.scale > 0.0) || !std::isfinite(*request.scale)) {
+  resolution = film.resolution;
+  if (const auto& size = spec.resolution) resolution = {size->at(0), size->at(1)};
+  if (spec.scale) {
+    if (!(*spec.scale > 0.0) || !std::isfinite(*spec.scale)) {
       throw UsageError("--scale must be above zero");
     }
     const auto scaled = [&](int size) {
       return static_cast<int>(
-          std::clamp(std::round(size * *request.scale), 1.0, 2.0 * kMaxResolution));
+          std::clamp(std::round(size * *spec.scale), 1.0, 2.0 * kMaxResolution));
     };
     resolution = {scaled(film.resolution.x), scaled(film.resolution.y)};
   }
@@ -138,11 +142,11 @@ void choose_pixels(const RenderRequest& request, const desc::Film& film, RenderS
     const std::string message =
         fmt::format("a picture of {}x{} pixels is not possible (1 to {} each)", resolution.x,
                     resolution.y, kMaxResolution);
-    if (request.scale) throw UsageError("--scale: " + message);
+    if (spec.scale) throw UsageError("--scale: " + message);
     throw SceneError(film.where, message);
   }
-  if (request.crop) {
-    setup.crop = crop_pixels("crop", *request.crop, resolution);
+  if (const auto crop = crop_of(spec)) {
+    setup.crop = crop_pixels("crop", *crop, resolution);
   } else {
     const CropWindow window{{film.crop[0], film.crop[2], film.crop[1], film.crop[3]}, true};
     try {
@@ -155,23 +159,20 @@ void choose_pixels(const RenderRequest& request, const desc::Film& film, RenderS
 
 }  // namespace
 
-RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hints,
+RenderSetup make_setup(const RenderSpec& spec, const desc::RenderHints& hints,
                        const desc::Film& film) {
   RenderSetup setup;
-  choose_integrator(request, hints, setup);
-  choose_parameters(request, hints, setup);
-  choose_budget(request, hints, setup);
-  choose_depth(request, hints, setup);
-  choose_pixels(request, film, setup);
-  setup.settings.seed = request.seed;
+  choose_integrator(spec, hints, setup);
+  choose_parameters(spec, hints, setup);
+  choose_budget(spec, hints, setup);
+  choose_depth(spec, hints, setup);
+  choose_pixels(spec, film, setup);
+  setup.settings.seed = spec.seed;
   setup.settings.resolution = setup.resolution;
   setup.settings.crop = setup.crop;
-  setup.aovs = checked_aovs(request.aovs);
+  setup.aovs = checked_aovs(spec.layers);
   for (const std::string& name : setup.aovs) {
-    const bool made_elsewhere = name == "direct" || name == "indirect" || name == "samples" ||
-                                name == "standard-error" || name == "standard-error-by-scale" ||
-                                name == "replicates";
-    if (!made_elsewhere) setup.settings.aovs.push_back(name);
+    if (find_aov(name)->made_by_method) setup.settings.aovs.push_back(name);
   }
   return setup;
 }
@@ -190,7 +191,7 @@ RenderSetup setup_of(const RenderRecord& record, const Budget& budget) {
   setup.parameters = record.given;
   setup.budget = budget;
   setup.settings = record.settings;
-  setup.aovs = record.aovs;
+  setup.aovs = record.spec.layers;
   setup.resolution = record.settings.resolution;
   setup.crop = record.settings.crop;
   check_budget(budget, setup.settings.replicates);
@@ -198,20 +199,18 @@ RenderSetup setup_of(const RenderRecord& record, const Budget& budget) {
 }
 
 RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
-                       const std::string& scene,
-                       const std::map<std::string, std::string>& definitions,
-                       const WorkShare& share) {
+                       const std::string& scene, RenderSpec spec) {
   RenderRecord record;
   record.scene = absolute_scene(scene);
-  record.definitions = definitions;
   record.integrator = setup.integrator->name;
-  for (const ParameterSpec& spec : setup.integrator->parameters) {
-    if (parameters.matters(spec)) record.parameters[spec.name] = parameters.values().at(spec.name);
+  for (const ParameterSpec& of : setup.integrator->parameters) {
+    if (parameters.matters(of)) record.parameters[of.name] = parameters.values().at(of.name);
   }
   record.given = parameters.given();
   record.settings = setup.settings;
-  record.aovs = setup.aovs;
-  record.share = share;
+  record.spec = std::move(spec);
+  record.spec.set_budget(setup.budget);
+  record.spec.layers = setup.aovs;
   return record;
 }
 
@@ -230,7 +229,8 @@ Film film_for(const Scene& scene, const RenderSettings& settings, const Integrat
 void check_layers(const RenderSetup& setup, const std::vector<LayerSpec>& layers) {
   for (const std::string& name : setup.settings.aovs) {
     // An AOV is a layer, or a group of layers whose names begin with it, or made with another.
-    const std::string sought = name == "divided" ? "alpha" : name;
+    const AovInfo* const info = find_aov(name);
+    const std::string sought = info != nullptr && !info->made_with.empty() ? info->made_with : name;
     const bool made = std::any_of(layers.begin(), layers.end(), [&](const LayerSpec& layer) {
       return layer.name == sought || layer.name.starts_with(sought + ".");
     });

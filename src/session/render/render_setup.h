@@ -9,26 +9,11 @@
 #include "scene/desc/scene_desc.h"
 #include "session/checkpoint/checkpoint.h"
 #include "session/job/budget.h"
-#include "session/options/option_values.h"
+#include "session/options/render_spec.h"
 
 namespace ajar {
 
-/// What a user asks for; what is empty comes from the scene file, and what that does not say has a
-/// default.
-struct RenderRequest {
-  std::string integrator;
-  std::map<std::string, std::string> parameters;
-  Budget budget;
-  DepthRange depth;
-  std::optional<Vec2i> resolution;
-  std::optional<double> scale;  ///< of the file's resolution
-  std::optional<CropWindow> crop;
-  std::string filter;  ///< as `parse_filter` reads it
-  std::vector<std::string> aovs;
-  std::uint64_t seed = 0;
-};
-
-/// A request and a scene's wishes put together, complete and checked.
+/// Specification and scene's wishes put together, complete and checked.
 struct RenderSetup {
   static constexpr int kDefaultSamples = 64;
   static constexpr int kReplicates = 4;
@@ -45,18 +30,16 @@ struct RenderSetup {
 };
 
 /// Raises UsageError for what cannot be.
-RenderSetup make_setup(const RenderRequest& request, const desc::RenderHints& hints,
+RenderSetup make_setup(const RenderSpec& spec, const desc::RenderHints& hints,
                        const desc::Film& film);
 
 /// Raises UsageError for limits that cannot be, or cannot be with so many replicates.
 void check_budget(const Budget& budget, int replicates);
 /// The setup of a render that goes on. Raises UsageError if this program has no such integrator.
 RenderSetup setup_of(const RenderRecord& record, const Budget& budget);
-/// What a setup makes of a scene, for checkpoints; `parameters` are the integrator's.
+/// Record of a setup and of `spec`, for checkpoints; `parameters` are the integrator's.
 RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
-                       const std::string& scene,
-                       const std::map<std::string, std::string>& definitions,
-                       const WorkShare& share);
+                       const std::string& scene, RenderSpec spec);
 
 /// For the whole picture of a scene that was built, all else as by default.
 RenderSettings settings_for(const Scene& scene);

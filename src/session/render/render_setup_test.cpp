@@ -32,9 +32,9 @@ TEST(RenderSetup, WhoeverGetsTheMethodOfTheSceneIsToldOfTheDefault) {
   const RenderSetup of_scene = make_setup({}, hints, film_of(3, 2));
   ASSERT_EQ(of_scene.notes.size(), 1U);
   EXPECT_NE(of_scene.notes[0].find("--integrator selective"), std::string::npos);
-  RenderRequest request;
-  request.integrator = "pt";
-  EXPECT_TRUE(make_setup(request, hints, film_of(3, 2)).notes.empty());
+  RenderSpec spec;
+  spec.integrator = "pt";
+  EXPECT_TRUE(make_setup(spec, hints, film_of(3, 2)).notes.empty());
 }
 
 TEST(RenderSetup, PathTracingIsNoWishOfAScene) {
@@ -44,9 +44,9 @@ TEST(RenderSetup, PathTracingIsNoWishOfAScene) {
   EXPECT_EQ(setup.integrator->name, "selective");
   ASSERT_EQ(setup.notes.size(), 1U);
   EXPECT_NE(setup.notes[0].find("--integrator pt"), std::string::npos);
-  RenderRequest request;
-  request.integrator = "pt";
-  EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).integrator->name, "pt");
+  RenderSpec spec;
+  spec.integrator = "pt";
+  EXPECT_EQ(make_setup(spec, hints, film_of(3, 2)).integrator->name, "pt");
 }
 
 TEST(RenderSetup, DefaultsAreTold) {
@@ -62,46 +62,46 @@ TEST(RenderSetup, AnUnknownIntegratorOfTheSceneIsReplacedOneOfTheUserIsRefused) 
   desc::RenderHints hints;
   hints.integrator = "future";
   EXPECT_NE(make_setup({}, hints, film_of(3, 2)).notes.at(0).find("future"), std::string::npos);
-  RenderRequest request;
-  request.integrator = "future";
-  EXPECT_THROW(make_setup(request, {}, film_of(3, 2)), UsageError);
+  RenderSpec spec;
+  spec.integrator = "future";
+  EXPECT_THROW(make_setup(spec, {}, film_of(3, 2)), UsageError);
 }
 
 TEST(RenderSetup, AnyLimitOfTheUserReplacesTheSamplesOfTheScene) {
   desc::RenderHints hints;
   hints.samples_per_pixel = 12;
-  RenderRequest request;
-  request.budget.seconds = 5.0;
-  const RenderSetup setup = make_setup(request, hints, film_of(3, 2));
+  RenderSpec spec;
+  spec.seconds = 5.0;
+  const RenderSetup setup = make_setup(spec, hints, film_of(3, 2));
   EXPECT_FALSE(setup.budget.samples_per_pixel.has_value());
   EXPECT_EQ(setup.budget.seconds, 5.0);
 }
 
 TEST(RenderSetup, FewSamplesMeanFewReplicates) {
   for (const auto& [samples, replicates] : {std::pair{1, 1}, {2, 2}, {3, 3}, {4, 4}, {64, 4}}) {
-    RenderRequest request;
-    request.budget.samples_per_pixel = samples;
-    EXPECT_EQ(make_setup(request, {}, film_of(3, 2)).settings.replicates, replicates);
+    RenderSpec spec;
+    spec.samples_per_pixel = samples;
+    EXPECT_EQ(make_setup(spec, {}, film_of(3, 2)).settings.replicates, replicates);
   }
 }
 
 TEST(RenderSetup, ParametersOfTheUserComeLast) {
   desc::RenderHints hints;
   hints.sampler = "independent";
-  RenderRequest request;
-  request.integrator = "pt";
-  EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).parameters.at("sampler"), "independent");
-  request.parameters["sampler"] = "sobol";
-  EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).parameters.at("sampler"), "sobol");
+  RenderSpec spec;
+  spec.integrator = "pt";
+  EXPECT_EQ(make_setup(spec, hints, film_of(3, 2)).parameters.at("sampler"), "independent");
+  spec.parameters["sampler"] = "sobol";
+  EXPECT_EQ(make_setup(spec, hints, film_of(3, 2)).parameters.at("sampler"), "sobol");
 }
 
 TEST(RenderSetup, RecordsHaveTheParametersThatMatter) {
   const auto recorded = [](const char* integrator) {
-    RenderRequest request;
-    request.integrator = integrator;
-    const RenderSetup setup = make_setup(request, {}, {});
+    RenderSpec spec;
+    spec.integrator = integrator;
+    const RenderSetup setup = make_setup(spec, {}, {});
     const Parameters parameters = setup.integrator->read(setup.parameters);
-    return record_of(setup, parameters, "builtin:cornell", {}, {}).parameters;
+    return record_of(setup, parameters, "builtin:cornell", spec).parameters;
   };
   const auto masked = recorded("masked");
   for (const char* of_mmlt : {"chain", "omc", "sigma", "chains"}) {
@@ -111,15 +111,15 @@ TEST(RenderSetup, RecordsHaveTheParametersThatMatter) {
 }
 
 TEST(RenderSetup, ScaleMultipliesTheResolutionOfTheScene) {
-  RenderRequest request;
-  request.scale = 0.5;
-  EXPECT_EQ(make_setup(request, {}, film_of(31, 20)).resolution, Vec2i(16, 10));
-  request.scale = 1e-6;
-  EXPECT_EQ(make_setup(request, {}, film_of(31, 20)).resolution, Vec2i(1, 1));
-  request.scale = 1e6;
-  EXPECT_THROW(make_setup(request, {}, film_of(31, 20)), UsageError);
-  request.scale = 0.0;
-  EXPECT_THROW(make_setup(request, {}, film_of(31, 20)), UsageError);
+  RenderSpec spec;
+  spec.scale = 0.5;
+  EXPECT_EQ(make_setup(spec, {}, film_of(31, 20)).resolution, Vec2i(16, 10));
+  spec.scale = 1e-6;
+  EXPECT_EQ(make_setup(spec, {}, film_of(31, 20)).resolution, Vec2i(1, 1));
+  spec.scale = 1e6;
+  EXPECT_THROW(make_setup(spec, {}, film_of(31, 20)), UsageError);
+  spec.scale = 0.0;
+  EXPECT_THROW(make_setup(spec, {}, film_of(31, 20)), UsageError);
 }
 
 TEST(RenderSetup, CropWindowOfTheSceneIsKeptUnlessTheUserGivesOne) {
@@ -129,9 +129,9 @@ TEST(RenderSetup, CropWindowOfTheSceneIsKeptUnlessTheUserGivesOne) {
   const RenderSetup from_scene = make_setup({}, {}, film);
   EXPECT_EQ(from_scene.crop.min, Vec2i(20, 0));
   EXPECT_EQ(from_scene.crop.max, Vec2i(39, 4));
-  RenderRequest request;
-  request.crop = parse_crop("--crop", "0,0,1,1");
-  EXPECT_EQ(make_setup(request, {}, film).crop.min, Vec2i(0, 0));
+  RenderSpec spec;
+  spec.crop_window = parse_crop("--crop", "0,0,1,1");
+  EXPECT_EQ(make_setup(spec, {}, film).crop.min, Vec2i(0, 0));
   film.crop[1] = 0.5F;
   EXPECT_THROW(make_setup({}, {}, film), SceneError);
 }
@@ -139,17 +139,17 @@ TEST(RenderSetup, CropWindowOfTheSceneIsKeptUnlessTheUserGivesOne) {
 TEST(RenderSetup, DepthAboveTheSceneIsExplained) {
   desc::RenderHints hints;
   hints.max_depth = 5;
-  RenderRequest request;
-  request.depth.minimum = 6;
-  EXPECT_THROW(make_setup(request, hints, film_of(3, 2)), UsageError);
-  request.depth.maximum = 9;
-  EXPECT_EQ(make_setup(request, hints, film_of(3, 2)).settings.max_depth, 9);
+  RenderSpec spec;
+  spec.min_depth = 6;
+  EXPECT_THROW(make_setup(spec, hints, film_of(3, 2)), UsageError);
+  spec.max_depth = 9;
+  EXPECT_EQ(make_setup(spec, hints, film_of(3, 2)).settings.max_depth, 9);
 }
 
 TEST(RenderSetup, OnlyGatheredLayersAreAskedOfTheIntegrator) {
-  RenderRequest request;
-  request.aovs = {"direct", "albedo", "samples", "standard-error"};
-  const RenderSetup setup = make_setup(request, {}, film_of(3, 2));
+  RenderSpec spec;
+  spec.layers = {"direct", "albedo", "samples", "standard-error"};
+  const RenderSetup setup = make_setup(spec, {}, film_of(3, 2));
   EXPECT_EQ(setup.settings.aovs, (std::vector<std::string>{"albedo"}));
   EXPECT_EQ(setup.aovs.size(), 4U);
   EXPECT_NO_THROW(check_layers(setup, {LayerSpec{.name = "albedo"}}));

@@ -11,17 +11,17 @@ namespace ajar {
 RenderWriters::RenderWriters(const RenderOrder& order, const Integrator& integrator,
                              std::optional<Checkpoint> base, std::unique_ptr<Preview> preview,
                              PictureWriter::Develop develop, RenderEvents& events)
-    : files_(order.files), events_(events), preview_(std::move(preview)) {
+    : spec_(order.spec), events_(events), preview_(std::move(preview)) {
   const auto trouble = [&events](const std::string& text) { events.trouble(text); };
   const auto note = [&events](const std::string& text) { events.note(text); };
-  if (!files_.checkpoint.empty() && base) {
-    checkpoint_ = std::make_unique<CheckpointWriter>(files_.checkpoint, files_.checkpoint_every,
+  if (!spec_.checkpoint.empty() && base) {
+    checkpoint_ = std::make_unique<CheckpointWriter>(spec_.checkpoint, spec_.checkpoint_every,
                                                      *std::move(base), integrator, trouble, note);
   }
-  if (!files_.pictures.empty()) {
-    pictures_ = std::make_unique<PictureWriter>(files_.pictures, files_.pictures_every,
-                                                order.picture_requests, files_.display(),
-                                                std::move(develop), trouble, note);
+  if (!spec_.outputs.empty()) {
+    pictures_ = std::make_unique<PictureWriter>(
+        spec_.outputs, spec_.output_every.value_or(RenderOrder::kNever), order.picture_requests,
+        spec_.display(), std::move(develop), trouble, note);
   }
 }
 
@@ -46,7 +46,7 @@ void RenderWriters::write_last(const RenderJob& job, bool with_checkpoint,
   if (with_checkpoint) {
     files.push_back(checkpoint_->last(job.film(), job.state(), outcome.interrupted));
   }
-  for (FinalFile& file : picture_files(*outcome.picture, files_.pictures, outcome.display)) {
+  for (FinalFile& file : picture_files(*outcome.picture, spec_.outputs, outcome.display)) {
     files.push_back(std::move(file));
   }
   Patience patience(interrupts, [this](const std::string& text) { events_.trouble(text); });
@@ -56,7 +56,7 @@ void RenderWriters::write_last(const RenderJob& job, bool with_checkpoint,
     if (!path.empty()) outcome.statistics.outputs.push_back(path);
   }
   outcome.statistics.peak_memory_bytes = peak_memory_bytes();
-  outcome.statistics_error = write_statistics(outcome.statistics, files_.statistics);
+  outcome.statistics_error = write_statistics(outcome.statistics, spec_.statistics);
 }
 
 std::string write_statistics(const RenderStatistics& statistics, const std::string& path) {

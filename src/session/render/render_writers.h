@@ -34,7 +34,7 @@ class RenderWriters {
                   RenderOutcome& outcome);
 
  private:
-  const RenderFiles& files_;
+  const RenderSpec& spec_;
   RenderEvents& events_;
   std::unique_ptr<CheckpointWriter> checkpoint_;
   std::unique_ptr<PictureWriter> pictures_;

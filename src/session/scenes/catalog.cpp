@@ -10,6 +10,7 @@
 #include "import/format.h"
 #include "integrator/integrator.h"
 #include "scene/desc/models.h"
+#include "session/options/render_options.h"
 #include "session/scenes/builtin_scenes.h"
 
 namespace ajar {
@@ -150,8 +151,40 @@ std::vector<CatalogEntry> format_catalog() {
   return entries;
 }
 
+/// "--spp" for one that the command line has, else "samples_per_pixel".
+std::string shown_name(const RenderOption& option) {
+  return option.flags.empty() ? option.name : option.flags.substr(option.flags.rfind(',') + 1);
+}
+
+std::vector<CatalogEntry> option_catalog() {
+  std::vector<CatalogEntry> entries;
+  for (const RenderOption& option : render_options()) {
+    entries.push_back({shown_name(option), option.help});
+  }
+  return entries;
+}
+
+std::vector<CatalogEntry> counter_catalog() {
+  std::vector<CatalogEntry> entries;
+  for (const EventCount& count : kEventCounts) entries.push_back({count.name, count.help});
+  return entries;
+}
+
+Json to_json(const RenderOption& option) {
+  return {{"name", option.name},
+          {"summary", option.help},
+          {"flag", option.flags.empty() ? Json() : Json(shown_name(option))},
+          {"default", option.default_text},
+          {"choices", option.choices},
+          {"in_settings", option.in_settings},
+          {"kept_by_checkpoints", option.is_kept},
+          {"decides_picture", option.decides_picture}};
+}
+
 std::vector<CatalogEntry> entries(const std::string& kind) {
   if (kind == "scenes") return scene_catalog();
+  if (kind == "options") return option_catalog();
+  if (kind == "counters") return counter_catalog();
   if (kind == "formats") return format_catalog();
   std::vector<CatalogEntry> layers;
   for (const Parametrised& entry : parametrised(kind))
@@ -226,7 +259,7 @@ const std::vector<std::string>& catalog_kinds() {
   static const std::vector<std::string> kinds = [] {
     std::vector<std::string> all{"integrators"};
     for (const auto& [name, kind] : model_kinds()) all.push_back(name);
-    all.insert(all.end(), {"aovs", "formats", "scenes"});
+    all.insert(all.end(), {"aovs", "counters", "formats", "options", "scenes"});
     return all;
   }();
   return kinds;
@@ -267,6 +300,9 @@ std::string catalog_text(const std::string& kind) {
 Json catalog_json(const std::string& kind) {
   Json list = Json::array();
   for (const Parametrised& entry : parametrised(kind)) list.push_back(to_json(entry));
+  if (kind == "options") {
+    for (const RenderOption& option : render_options()) list.push_back(to_json(option));
+  }
   if (!list.empty()) return list;
   for (const CatalogEntry& entry : entries(kind)) {
     list.push_back({{"name", entry.name}, {"summary", entry.summary}});
