@@ -16,7 +16,7 @@
 
 /// Whether estimated errors are true: renders scenes by all integrators and writes a line of CSV
 /// for each render with both errors. What the file has already is not rendered again, so that the
-/// study goes on where it was interrupted. `bench/estimate_table.py` makes a table of the lines.
+/// study goes on where it was interrupted. `bench/results.py` makes a table of the lines.
 namespace ajar::bench {
 namespace {
 

@@ -93,7 +93,7 @@ target_link_libraries(ajar_measuring_test PRIVATE ajar_measuring GTest::gtest_ma
 ajar_compile_quickly(ajar_measuring_test)
 add_test(NAME measuring COMMAND ajar_measuring_test)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
-add_test(NAME finished_table COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/bench/finished_table_test.py)
+add_test(NAME results COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/bench/results_test.py)
 
 # Counting allocations replaces operator new, so only the program that reports them has it.
 add_executable(ajar_limit_bench bench/limit_bench.cpp bench/allocations.cpp)
