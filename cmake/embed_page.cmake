@@ -1,7 +1,7 @@
 # Embeds the files of src/study/report/page/ into a library: an assembler file that includes the bytes, and the table that
 # src/study/report/page_files.h offers.
 function(ajar_embed_page target)
-  set(folder ${CMAKE_SOURCE_DIR}/src/study/report/page)
+  set(folder ${PROJECT_SOURCE_DIR}/src/study/report/page)
   file(GLOB files CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*.html ${folder}/*.css ${folder}/*.js)
   list(SORT files)
   set(data "    .section .rodata\n")
@@ -38,8 +38,8 @@ ${entries}  };
 
 }  // namespace ajar
 ")
-  set(assembly_file ${CMAKE_BINARY_DIR}/generated/embedded_page.S)
-  set(table_file ${CMAKE_BINARY_DIR}/generated/embedded_page.cpp)
+  set(assembly_file ${PROJECT_BINARY_DIR}/generated/embedded_page.S)
+  set(table_file ${PROJECT_BINARY_DIR}/generated/embedded_page.cpp)
   file(CONFIGURE OUTPUT ${assembly_file} CONTENT "${data}" @ONLY)
   file(CONFIGURE OUTPUT ${table_file} CONTENT "${table}" @ONLY)
   set_source_files_properties(${assembly_file} PROPERTIES OBJECT_DEPENDS "${dependencies}")

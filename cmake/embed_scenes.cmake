@@ -1,7 +1,7 @@
 # Embeds the files of every scenes/<name>/ that has a scene.* into a library: an assembler file that includes the bytes, and a table that
 # src/session/scenes/builtin_scenes.h offers.
 function(ajar_embed_scenes target)
-  set(folder ${CMAKE_SOURCE_DIR}/scenes)
+  set(folder ${PROJECT_SOURCE_DIR}/scenes)
   file(GLOB scenes CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*/scene.*)
   set(files "")
   foreach(scene IN LISTS scenes)
@@ -52,8 +52,8 @@ ${entries}  };
 
 }  // namespace ajar
 ")
-  set(assembly_file ${CMAKE_BINARY_DIR}/generated/embedded_scenes.S)
-  set(table_file ${CMAKE_BINARY_DIR}/generated/embedded_scenes.cpp)
+  set(assembly_file ${PROJECT_BINARY_DIR}/generated/embedded_scenes.S)
+  set(table_file ${PROJECT_BINARY_DIR}/generated/embedded_scenes.cpp)
   file(CONFIGURE OUTPUT ${assembly_file} CONTENT "${data}" @ONLY)
   file(CONFIGURE OUTPUT ${table_file} CONTENT "${table}" @ONLY)
   set_source_files_properties(${assembly_file} PROPERTIES OBJECT_DEPENDS "${dependencies}")
