@@ -2,7 +2,7 @@
 foreach(room api api_c apps_cli import session study study_report)
   ajar_compile_quickly(ajar_${room}_test)
 endforeach()
-# They write the images that they read.
+# Tests write the images that they read.
 target_link_libraries(ajar_imageio_test PRIVATE ZLIB::ZLIB PNG::PNG OpenEXR::OpenEXR OpenImageIO::OpenImageIO)
 target_link_libraries(ajar_scene_test PRIVATE OpenImageIO::OpenImageIO)
 foreach(room imageio scene import)
@@ -11,7 +11,7 @@ endforeach()
 
 add_subdirectory(fuzz)
 
-# Those that take a minute or more.
+# More than a minute.
 set_tests_properties(scene PROPERTIES LABELS unit)
 
 # Tests that cross rooms.
@@ -22,13 +22,13 @@ target_include_directories(ajar_test_support PUBLIC ${PROJECT_SOURCE_DIR}/tests)
 target_compile_definitions(ajar_test_support PRIVATE AJAR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(ajar_test_support PUBLIC ajar_session ajar_path GTest::gtest TBB::tbb)
 
-# In two programs: the folders of quick ones, and all others.
+# Two programs: the folders of quick ones, and all others.
 function(ajar_crossing_test name)
   add_executable(${name} ${ARGN})
   ajar_compile_by_folder(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE ajar_test_support GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE AJAR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  # What tests compute is mostly in the libraries, as for the tests of rooms.
+  # Computing is mostly done in the libraries, as for the tests of rooms.
   target_compile_options(${name} PRIVATE -O1)
 endfunction()
 set(folders_elsewhere cli|report|soak)
@@ -72,7 +72,7 @@ if(TARGET ajar-mpi)
 endif()
 ajar_compile_quickly(ajar_cli_test)
 add_test(NAME cli COMMAND ajar_cli_test)
-# It waits as much as it works.
+# Waits as much as it works.
 set_tests_properties(cli PROPERTIES LABELS program COST 2000)
 
 # The report's page in a browser, and a program that writes one to look at.
@@ -87,7 +87,7 @@ target_link_libraries(ajar_report_page_test PRIVATE ajar_report_content GTest::g
 add_test(NAME report_page COMMAND ajar_report_page_test)
 set_tests_properties(report_page PROPERTIES LABELS "program;quick")
 
-# What the benchmarks share, with its tests.
+# Sources that benchmarks share, with their tests.
 file(GLOB measuring_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/measuring/*.cpp)
 set(measuring_tests ${measuring_sources})
 list(FILTER measuring_sources EXCLUDE REGEX "_test\\.cpp$")

@@ -1,5 +1,5 @@
 # The library for programs of others, in C++ and in C (include/ajar), and the program, which is a `main` around it.
-# They are found by CMake as ajar::ajar and by pkg-config as ajar. Python's package is made of both.
+# CMake finds the library as ajar::ajar, pkg-config as ajar. Python's package is made of both.
 target_include_directories(ajar_api PUBLIC ${PROJECT_SOURCE_DIR}/include)
 target_compile_definitions(ajar_api PRIVATE AJAR_IMPLEMENTATION)
 target_compile_definitions(ajar_api_c PRIVATE AJAR_IMPLEMENTATION)

@@ -25,7 +25,7 @@ def cache_folder():
 
 
 def has_oidn(folder):
-    """Whether a folder has what was unpacked there, to the byte. What came there without sums is believed."""
+    """True if a folder has the files that were unpacked there, to the byte. Files without sums are believed."""
     if not (folder / "libOpenImageDenoise.so.2").is_file():
         return False
     if not (folder / "SHA256SUMS").is_file():

@@ -1,4 +1,4 @@
-# What the program tells of itself, for people: man pages and completions of the shell, made by the build and installed
+# Pages that the program writes of itself: man pages and completions of the shell, made by the build and installed
 # where their readers look, and the test that docs/ says the same. Not in builds with sanitizers, which are not for use.
 if(AJAR_SANITIZE)
   return()

@@ -14,7 +14,7 @@ def targets():
 
 
 def finds(build, name, seconds):
-    """Whether a target found something."""
+    """True if a target found something."""
     found = build / "found"
     (found / name).mkdir(parents=True, exist_ok=True)
     print(f"dev: {name} for {seconds} s", file=sys.stderr)
