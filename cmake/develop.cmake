@@ -11,9 +11,6 @@ endforeach()
 
 add_subdirectory(fuzz)
 
-# More than a minute.
-set_tests_properties(scene PROPERTIES LABELS unit)
-
 # Tests that cross rooms.
 file(GLOB test_support CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
 add_library(ajar_test_support STATIC ${test_support})
