@@ -11,8 +11,8 @@
 #include "session/job/interrupts.h"
 #include "session/render.h"
 
-/// What more time brings: for each scene and time limit, how long preparing takes, when there is a
-/// first picture, and its error in the end.
+/// Benefit of time: for each scene and time limit, the time of preparing, the time of the first
+/// picture, and the error in the end.
 namespace ajar::bench {
 namespace {
 

@@ -25,7 +25,7 @@ namespace {
 constexpr int kDefaultDepth = 16;
 /// Seeds of references, far from those of the renders that are compared with them.
 constexpr std::uint64_t kFirstReferenceSeed = 1'000'000;
-/// Differences of CPU time that are not worth another part of a reference, as a share.
+/// Differences of CPU time too small for another part of a reference, as a share.
 constexpr double kSecondsTolerance = 0.05;
 
 bool interrupted() { return interrupt_count() > 0; }
@@ -54,7 +54,7 @@ Stage make_stage(const BenchScene& bench_scene, const ErrorArguments& arguments)
   return stage;
 }
 
-/// Loads what is kept, and renders and keeps what it lacks. May have no parts if interrupted.
+/// Loads stored parts, and renders and stores missing ones. May have no parts if interrupted.
 std::vector<ReferencePart> reference_parts(const Stage& stage, const ErrorArguments& arguments) {
   const ReferenceStore store(arguments.reference_folder,
                              {stage.name, stage.settings.resolution, stage.settings.max_depth,

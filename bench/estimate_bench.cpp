@@ -14,9 +14,9 @@
 #include "measuring/timed_render.h"
 #include "session/job/interrupts.h"
 
-/// Whether estimated errors are true: renders scenes by all integrators and writes a line of CSV
-/// for each render with both errors. What the file has already is not rendered again, so that the
-/// study goes on where it was interrupted. `bench/results.py` makes a table of the lines.
+/// Accuracy of estimated errors: renders scenes by all integrators and writes a line of CSV for
+/// each render with both errors. Renders already in the file are skipped, so that an interrupted
+/// study is resumed. `bench/results.py` makes tables of the lines.
 namespace ajar::bench {
 namespace {
 

@@ -5,8 +5,8 @@
 #include "scene/desc/models.h"
 #include "scene/scene.h"
 
-/// How much longer a sample takes with 10 000 emitters than with 10, and how much of the variance
-/// of choosing lights by power the light tree leaves.
+/// Time per sample with 10 000 emitters over that with 10, and the variance of the light tree over
+/// that of choosing lights by power.
 namespace ajar::bench {
 namespace {
 
@@ -65,7 +65,7 @@ desc::SceneDesc room(int emitters) {
 }
 
 /// Σ value² / probability over the lights at random places, by tree over by power, both less the
-/// square of the mean: what is left of the variance of choosing a light.
+/// square of the mean: the remaining part of the variance of choosing a light.
 double variance_left(const Scene& scene) {
   Rng rng(2);
   double by_tree = 0.0;

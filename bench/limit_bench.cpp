@@ -36,7 +36,7 @@ std::string with_range(const std::vector<double>& values) {
   return fmt::format("{:.2f} ({:.2f}–{:.2f})", median(values), *least, *most);
 }
 
-/// What a render costs beyond its rays.
+/// Cost of a render beyond its rays.
 struct LimitResult {
   std::vector<double> ratios;    ///< render over replay
   double rays_per_sample = 0.0;  ///< or mutation
@@ -77,7 +77,7 @@ LimitResult measure_limit(Scene& scene, const Job& job) {
 /// Times of whole pictures with equally many samples per pixel.
 struct PictureTimes {
   std::vector<double> over_first;  ///< time over that of the first variant
-  std::vector<double> speedups;    ///< of two threads
+  std::vector<double> speedups;    ///< speedups by two threads
 };
 
 std::vector<PictureTimes> measure_pictures(const std::vector<Job>& jobs) {

@@ -16,16 +16,14 @@ import tempfile
 
 # Beside the defaults of every integrator: what takes other ways through the code.
 VARIANTS = [
-    ("mmlt+", ["split=0", "direct=chain", "raster-steps=0", "fine-steps=0"]),
-    ("mmlt+", ["split=3", "mutation=kelemen", "light-steps=0.2", "camera-steps=0.2"]),
-    ("mmlt+", ["multi-try=3", "raster-steps=0", "fine-steps=0"]),
-    ("mmlt+", ["mutation=fusion", "rule=published", "raster-steps=0", "fine-steps=0"]),
-    ("mmlt+", ["seeds=filtered", "importance=uniform", "mis-large-steps=true", "techniques=ibpt"]),
-    ("pssmlt+", ["split=0", "mis-large-steps=true", "mutation=slemmlt"]),
-    ("selective", ["chain=pssmlt"]),
+    ("mmlt", ["camera-steps=0.2", "light-steps=0.2"]),
+    ("mmlt", ["multi-try=3"]),
+    ("mmlt", ["mutation=fusion", "rule=published"]),
+    ("mmlt", ["seeds=filtered", "mis-large-steps=true", "techniques=ibpt"]),
     ("selective", ["chain=mlt"]),
-    ("selective", ["chain=erpt"]),
-    ("selective", ["preset=published"]),
+    ("selective", ["split=1", "importance=uniform"]),
+    ("masked", ["chain=pssmlt", "pilot=keep"]),
+    ("masked", ["chain=erpt", "choice=exclusive"]),
 ]
 COUNTED = ["rays", "samples", "mutations", "b", "discarded", "estimated_relative_error"]
 

@@ -9,9 +9,8 @@
 #include "session/job/resources.h"
 #include "session/render.h"
 
-/// How well renders keep to a time limit: what they take less what was asked for, and how long
-/// their passes are. A pass that is begun is finished, so a limit cannot be kept more closely than
-/// that.
+/// Accuracy of time limits: the time taken less the limit, and the length of passes. A pass that is
+/// begun is finished, so a limit cannot be kept more closely than that.
 namespace ajar::bench {
 namespace {
 
@@ -50,7 +49,7 @@ TimeKept render_for(double seconds, const desc::SceneDesc& scene, const Variant&
   return {passes.seconds(), passes.longest()};
 }
 
-/// Of all integrators, or of those named.
+/// Measures all integrators, or those named.
 void measure_time_limits(const std::vector<std::string>& names) {
   fmt::print("{:<12} {:>8} {:>10} {:>12} {:>14}\n", "integrator", "asked, s", "taken, s",
              "difference", "longest pass");

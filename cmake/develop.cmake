@@ -100,7 +100,8 @@ ajar_compile_quickly(ajar_measuring_test)
 add_test(NAME measuring COMMAND ajar_measuring_test)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME results COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/bench/results_test.py)
-set_tests_properties(measuring results PROPERTIES LABELS "bench;quick")
+add_test(NAME comments COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/cmake/check_comments.py --self-test)
+set_tests_properties(measuring results comments PROPERTIES LABELS "bench;quick")
 
 # Counting allocations replaces operator new, so only the program that reports them has it.
 foreach(name budget error estimate finished lights limit time)

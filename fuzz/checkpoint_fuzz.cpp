@@ -1,6 +1,6 @@
-// Whatever a stranger makes of a checkpoint of ours is refused, or can be shown, merged and
-// rendered on. An input is a list of changes to a checkpoint that is made at the start, so that
-// inputs do not get old when the format of checkpoints changes. Checksums are made right.
+// Corrupt checkpoints are refused, or can be shown, merged and rendered on. An input is a list of
+// changes to a checkpoint that is made at the start, so that inputs stay valid when the format of
+// checkpoints changes. Checksums are corrected.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -60,10 +60,10 @@ struct Method {
 const std::vector<Method>& methods() {
   static const std::vector<Method> kMethods = {
       {"pt", {}},
-      {"mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}},
-      {"pssmlt+", {{"mutation", "kelemen"}, {"bootstrap", "1000"}}},
-      {"selective", {{"split", "0.1"}, {"pilot-samples", "8"}}},
-      {"selective", {{"chain", "mlt"}, {"split", "0.1"}, {"pilot-samples", "8"}}}};
+      {"mmlt", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}},
+      {"masked", {{"pilot-samples", "8"}, {"bootstrap", "1000"}}},
+      {"selective", {{"split", "0.1"}}},
+      {"selective", {{"chain", "mlt"}, {"split", "0.1"}}}};
   return kMethods;
 }
 
@@ -148,7 +148,7 @@ class Input {
   std::span<const std::uint8_t> bytes_;
 };
 
-/// A change is what it is, its place in 3 bytes (from the end, if odd), and some bytes.
+/// A change is its kind, its place in 3 bytes (from the end, if odd), and some bytes.
 void change(std::vector<char>& file, Input& input) {
   const std::size_t kind = input.number(1);
   const std::size_t distance = input.number(3) % (file.size() + 1);
@@ -175,7 +175,7 @@ void change(std::vector<char>& file, Input& input) {
 
 struct ChangedFile {
   std::vector<char> bytes;
-  Base& base;  ///< that it came from
+  Base& base;  ///< checkpoint that it came from
 };
 ChangedFile changed_file(std::span<const std::uint8_t> data) {
   Input input(data);

@@ -1,5 +1,5 @@
-// Any bytes must be an image of ours, or raise IoError: as a picture, as a texture, and as what a
-// scene's size is estimated from. The first byte says what the file is called.
+// Any bytes must be an image of ours, or raise IoError: as a picture, as a texture, and as an input
+// of the estimate of a scene's size. The first byte selects the name of the file.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace {
 constexpr std::array<const char*, 6> kExtensions = {".pfm", ".exr", ".png", ".jpg", ".hdr", ".tif"};
 /// A picture of one colour may rightly have more than a gigabyte of values in a few bytes of file;
-/// whether that is to be had is not what is asked here.
+/// whether that much memory is available is no subject here.
 constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26U;
 }  // namespace
 

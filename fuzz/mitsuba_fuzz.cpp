@@ -7,7 +7,7 @@
 #include "import/mitsuba/mitsuba_import.h"
 
 using namespace std::string_view_literals;
-/// Of one number, 1.
+/// A grid of one number, 1.
 constexpr std::string_view kGrid =
     "VOL\3\1\0\0\0\1\0\0\0\1\0\0\0\1\0\0\0\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80?\0\0\x80?"
     "\0\0\x80?"
@@ -19,7 +19,7 @@ constexpr std::string_view kHair =
     "\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80?\0\0\0\0\0\0\0\0"
     "\0\0\x80\x7f\0\0\0\0\0\0\x80?\0\0\0\0\0\0\x80?\0\0\x80?\0\0\0\0"sv;
 
-/// So that a target of XML has curves, too, which are no XML.
+/// Curves for a target of XML, as text in its last comment.
 std::string_view last_comment(std::string_view text) {
   constexpr std::string_view kBegin = "<!--";
   const std::size_t begin = text.rfind(kBegin);

@@ -1,6 +1,6 @@
 // Any bytes must either have a grid of floats or raise one of our errors. A file with all levels of
-// a tree is larger than what a fuzzer makes of nothing: after an odd first byte come places of one
-// that is good, and what is written there.
+// a tree is larger than the random input of a fuzzer: after an odd first byte come places in a
+// valid file, and the bytes to write there.
 #include <nanovdb/util/GridBuilder.h>
 #include <nanovdb/util/IO.h>
 
@@ -28,7 +28,7 @@ std::string good_file() {
   return stream.str().substr(0, static_cast<std::size_t>(stream.tellp()));
 }
 
-/// What is not zero, and so has a meaning, is in few places of a large file.
+/// Nonzero bytes, which have a meaning, are in few places of a large file.
 std::vector<std::size_t> places_of_numbers(const std::string& file) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < file.size(); i += 4) {

@@ -1,5 +1,4 @@
-// Any bytes must either be a mesh or raise one of our errors; what is a mesh must survive being
-// written.
+// Any bytes must either be a mesh or raise one of our errors; meshes must survive being written.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -7,10 +7,10 @@
 #include "measuring/bench_scenes.h"
 #include "measuring/measured_scene.h"
 
-/// What the main programs of studies have in common.
+/// Common parts of the main programs of studies.
 namespace ajar::bench {
 
-/// `run`, with signals counted and errors told as those of `name`. Returns what it does, or the
+/// `run`, with signals counted and errors reported as those of `name`. Returns its result, or the
 /// error's exit code.
 int bench_main(const std::string& name, const std::function<int()>& run);
 

@@ -18,9 +18,9 @@ struct BenchScene {
 /// built-in scenes, and the shared scenes if their folder is there.
 std::vector<BenchScene> bench_scenes();
 
-/// Those of `scenes` that have one of the names, in the order of the names. Any other name is that
-/// of a scene file, and its scene has the file's name without the extension. Raises UsageError for
-/// what is neither.
+/// Scenes of `scenes` by name, in the order of the names. Any other name is that of a scene file,
+/// and its scene has the file's name without the extension. Raises UsageError for names that are
+/// neither.
 std::vector<BenchScene> choose_scenes(const std::vector<BenchScene>& scenes,
                                       const std::vector<std::string>& names);
 

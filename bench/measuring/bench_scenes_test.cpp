@@ -19,7 +19,7 @@ TEST(BenchScenes, AreChosenByNameInTheOrderAsked) {
   EXPECT_EQ(chosen[1].name, "first");
 }
 
-TEST(BenchScenes, AreAlsoFiles) {
+TEST(BenchScenes, FilesAreAccepted) {
   const std::filesystem::path file =
       std::filesystem::path(::testing::TempDir()) / "one_sphere_for_benches.pbrt";
   std::ofstream(file) << "Camera \"perspective\"\nWorldBegin\nShape \"sphere\"\nWorldEnd\n";

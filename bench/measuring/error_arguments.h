@@ -5,12 +5,12 @@
 
 namespace ajar::bench {
 
-/// What `ajar_error_bench` is told.
+/// Arguments of `ajar_error_bench`.
 struct ErrorArguments {
   double seconds = 8.0;         ///< CPU-seconds of each render, all threads together
   int repeats = 3;              ///< seeds
   int size = 256;               ///< pixels of the longer side
-  std::optional<double> scale;  ///< of the scene's own resolution, instead of `size`
+  std::optional<double> scale;  ///< factor of the scene's own resolution, instead of `size`
   std::optional<int> depth;     ///< longest paths in edges, instead of the scene's
   std::string filter = "box";   ///< "box": one pixel wide; "scene": the scene's own
   int threads = 0;              ///< 0: as many as the machine offers

@@ -33,7 +33,7 @@ TEST(ErrorArguments, TakeScenesBeforeAndVariantsAfterTheDashes) {
   EXPECT_EQ(arguments->variants, (Texts{"ibpt", "bdpt:heuristic=balance"}));
 }
 
-TEST(ErrorArguments, NonsenseIsRefused) {
+TEST(ErrorArguments, InvalidOnesAreRefused) {
   for (const Texts& texts :
        {Texts{"--seconds", "0"}, Texts{"--seconds", "soon"}, Texts{"--repeats", "0"},
         Texts{"--no-such-option"}, Texts{"--size", "64", "--scale", "2"}, Texts{"--filter", "tent"},

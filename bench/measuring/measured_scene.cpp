@@ -24,7 +24,7 @@ bool render_part(const MeasuredScene& scene, std::span<const std::string> method
   const std::string& method = methods[which];
   fmt::print(stderr, "{}: reference by {}, {:.0f} CPU-seconds\n", scene.name, method, cpu_seconds);
   RenderSettings settings = scene.settings;
-  // They make some of the light alike: with one seed, they would have the same noise in it.
+  // Methods share code: with one seed, some of their noise would be common.
   settings.seed = kReferenceSeed + which + methods.size() * store.count();
   TimedRender render =
       render_for({cpu_seconds}, *scene.scene, parse_variant(method), settings, interrupt_count());

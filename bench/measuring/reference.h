@@ -6,7 +6,7 @@
 
 namespace ajar::bench {
 
-/// What noise in a reference alone would add to the relMSE of a picture that is compared with it.
+/// RelMSE of a picture that the reference's own noise adds.
 struct NoiseFloor {
   double plain = 0.0;
   double trimmed = 0.0;  ///< without the worst 0.1 % of pixels
@@ -15,17 +15,17 @@ struct NoiseFloor {
 /// One long render. Values are scene-linear RGB, row by row.
 struct ReferencePart {
   std::vector<float> picture;
-  std::vector<float> standard_error;  ///< of each value, from replicates
+  std::vector<float> standard_error;  ///< standard error of each value, from replicates
   std::uint64_t samples = 0;          ///< per pixel
   double cpu_seconds = 0.0;
 };
 
-/// What pictures are compared with.
+/// Reference picture of comparisons.
 struct Reference {
   std::vector<float> picture;
   NoiseFloor floor;
   std::uint64_t samples = 0;  ///< per pixel, of our parts
-  double cpu_seconds = 0.0;   ///< of our parts
+  double cpu_seconds = 0.0;   ///< CPU time of our parts
   std::size_t parts = 0;
 };
 
@@ -34,7 +34,7 @@ struct Reference {
 /// the trimmed one does not depend on it.
 NoiseFloor noise_floor(std::span<const float> picture, std::span<const float> standard_error);
 
-/// relMSE of a picture without what the noise of references adds to it.
+/// relMSE of a picture without the noise of references.
 struct OwnError {
   double plain = 0.0;
   double trimmed = 0.0;  ///< without the 0.1 % of the pixels that differ most from the references
@@ -48,12 +48,12 @@ struct OwnError {
 OwnError own_error(std::span<const float> picture, std::span<const float> first,
                    std::span<const float> second);
 
-/// Two references that are independent of one another, and alike in what they are made of.
+/// Two independent references of equal composition.
 struct ReferencePair {
   std::array<std::vector<float>, 2> halves;
-  std::vector<float> mean;  ///< of both
-  NoiseFloor floor;         ///< of the mean, as the halves differ
-  double error = 0.0;       ///< of the mean, as `relative_error` has it; 0 if all is black
+  std::vector<float> mean;  ///< mean of both
+  NoiseFloor floor;         ///< noise floor of the mean, from the difference of the halves
+  double error = 0.0;       ///< error of the mean, as `relative_error` has it; 0 if all is black
 };
 
 /// By methods that fail in different places. Each has made two pictures, with seeds of their own;
@@ -65,8 +65,8 @@ ReferencePair reference_pair(std::span<const std::array<std::vector<float>, 2>> 
 /// Mean of independent renders by one method, weighted by samples. There must be at least one.
 Reference average(std::span<const ReferencePart> parts);
 
-/// Weighs `reference` with an independent picture of unknown noise. That noise is what the two
-/// differ by beyond the reference's own; weights are inverse to the trimmed floors.
+/// Averages `reference` with an independent picture of unknown noise. The noise is estimated from
+/// their difference beyond the reference's own; weights are inverse to the trimmed floors.
 Reference average_with(const Reference& reference, std::span<const float> independent);
 
 }  // namespace ajar::bench

@@ -9,13 +9,13 @@
 
 namespace ajar::bench {
 
-/// What decides a reference, its noise apart.
+/// Parameters of a reference, its noise apart.
 struct ReferenceKey {
   std::string scene;
   Vec2i resolution{0, 0};
   int depth = 0;
   std::string filter;
-  std::string variant;           ///< that renders it
+  std::string variant;           ///< method that renders it
   std::uint64_t scene_hash = 0;  ///< a changed scene must not be compared with old pictures
 };
 

@@ -71,8 +71,8 @@ TEST(Reference, NoiseIsNotInAPicturesOwnError) {
     const std::vector<float> first = noisy(kValues, noise, 2);
     const std::vector<float> second = noisy(kValues, noise, 3);
     const OwnError error = own_error(picture, first, second);
-    // Products are known to (own + noise²)/245, and five times that is allowed, beside what is left
-    // where the references do not agree.
+    // Products are known to (own + noise²)/245, and five times that is allowed, beside the part of
+    // pixels where the references differ.
     const double allowed = 5.0 * (own + noise * noise) / 245.0 + 0.04 * noise * noise;
     EXPECT_NEAR(error.plain, own, allowed) << noise;
     EXPECT_LT(error.trimmed, error.plain);
@@ -80,7 +80,7 @@ TEST(Reference, NoiseIsNotInAPicturesOwnError) {
   }
 }
 
-TEST(Reference, OwnErrorKnowsFirefliesOfThePictureFromThoseOfReferences) {
+TEST(Reference, OwnErrorDistinguishesFirefliesOfPictureAndReferences) {
   std::vector<float> picture(kValues, 1.F);
   std::vector<float> first = picture;
   const std::vector<float> second = picture;

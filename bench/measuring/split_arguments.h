@@ -13,7 +13,7 @@ struct SplitArguments {
 /// Splits at the first `--`; without one nothing is after it.
 SplitArguments split_arguments(const std::vector<std::string>& arguments);
 
-/// What is compared if no variant is named.
+/// Variants that are compared if none is named.
 std::vector<std::string> default_variants();
 
 }  // namespace ajar::bench

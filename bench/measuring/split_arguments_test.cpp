@@ -7,7 +7,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-TEST(SplitArguments, CutAtTheFirstDashes) {
+TEST(SplitArguments, SplitAtTheFirstDashes) {
   const SplitArguments split = split_arguments({"a", "--", "b", "--", "c"});
   EXPECT_EQ(split.before, (Texts{"a"}));
   EXPECT_EQ(split.after, (Texts{"b", "--", "c"}));

@@ -27,8 +27,8 @@ double pass_seconds(const TimeLimit& limit, int threads) {
 
 TimedRender render_for(const TimeLimit& limit, const Scene& scene, const Variant& variant,
                        const RenderSettings& settings, const InterruptCount& user_interrupts) {
-  // Not a `Render`: the alarm must not cut the preparation short, which has its limits of the time
-  // as in one, and nobody asks how large the error is before the end.
+  // Not a `Render`: the alarm must not cut the preparation short, which has its time limits as in
+  // one, and the error is not needed before the end.
   const double before = cpu_seconds();
   const CpuAlarm alarm(limit.cpu_seconds, user_interrupts);
   const int threads = limit.threads > 0 ? limit.threads : tbb::info::default_concurrency();

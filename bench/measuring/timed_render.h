@@ -14,15 +14,15 @@ namespace ajar::bench {
 struct TimedRender {
   std::vector<float> picture;         ///< direct + indirect, scene-linear RGB
   PictureEstimates estimates;         ///< for filters
-  std::vector<float> standard_error;  ///< of each value, from replicates
+  std::vector<float> standard_error;  ///< standard error of each value, from replicates
   std::optional<RelativeError> estimate;
   std::uint64_t samples = 0;  ///< per pixel
-  /// Of all threads, and of all that the integrator does: start-up phases count.
+  /// CPU time of all threads, and of all that the integrator does: start-up phases count.
   double cpu_seconds = 0.0;
   bool complete = true;  ///< false if the user cut a pass short
 };
 
-/// How long a render may take, and on what.
+/// Time limit of a render, and its threads.
 struct TimeLimit {
   double cpu_seconds;
   int threads = 0;  ///< 0: as many as the machine offers

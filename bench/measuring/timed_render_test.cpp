@@ -24,11 +24,11 @@ class TimedRenderTest : public ::testing::Test {
   const Variant variant_ = parse_variant("pt");
 };
 
-TEST_F(TimedRenderTest, UsesTheTimeItIsGiven) {
+TEST_F(TimedRenderTest, UsesItsTimeLimit) {
   const InterruptCount nobody{0};
   const TimedRender render = render_for({0.4, 2}, *scene_, variant_, settings_, nobody);
   EXPECT_GE(render.cpu_seconds, 0.4);
-  // How long a pass takes is up to the machine and to sanitizers; this is about ending at all.
+  // Passes take as long as the machine and sanitizers need; this is about ending at all.
   EXPECT_LT(render.cpu_seconds, 30.0);
   EXPECT_GE(render.samples, 1U);
   EXPECT_TRUE(render.complete);
@@ -38,7 +38,7 @@ TEST_F(TimedRenderTest, UsesTheTimeItIsGiven) {
   EXPECT_EQ(render.standard_error.size(), values);
 }
 
-TEST_F(TimedRenderTest, ObeysTheUser) {
+TEST_F(TimedRenderTest, StopsOnRequest) {
   const InterruptCount user{1};
   const TimedRender render = render_for({1e6, 1}, *scene_, variant_, settings_, user);
   EXPECT_LT(render.cpu_seconds, 60.0);

@@ -9,7 +9,7 @@
 
 namespace ajar::bench {
 
-/// An integrator with settings: what a benchmark compares.
+/// An integrator with settings, as benchmarks compare them.
 struct Variant {
   std::string text;  ///< as written by the user
   const IntegratorInfo* integrator;

@@ -32,7 +32,7 @@ TEST(Variant, ValuesMayHaveCommas) {
   }
 }
 
-TEST(Variant, NonsenseIsRefused) {
+TEST(Variant, InvalidOnesAreRefused) {
   for (const char* text : {"", "no-such-thing", "pt:", "pt:heuristic", "pt:no-such=1", ":",
                            "pt:heuristic=no-such", "pt:roulette-start=many"}) {
     EXPECT_THROW(parse_variant(text), UsageError) << text;

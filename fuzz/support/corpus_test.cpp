@@ -32,7 +32,7 @@ TEST_P(Corpus, IsReadOrRefused) {
   SCOPED_TRACE(GetParam().string());
   std::ifstream file(GetParam(), std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  // Of just this size, so that sanitizers see what is read beyond.
+  // Exact size, so that sanitizers see reads beyond.
   const std::vector<std::uint8_t> input(bytes.begin(), bytes.end());
   EXPECT_EQ(LLVMFuzzerTestOneInput(input.data(), input.size()), 0);
 }

@@ -15,9 +15,9 @@ import time
 import outcome
 from mutate import mutate
 
-INTEGRATORS = ["pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "mlt", "erpt", "mmlt+", "selective"]
+INTEGRATORS = ["pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "mlt", "erpt", "masked", "selective"]
 SMALL = ["--resolution", "16x12", "--spp", "4", "--threads", "2", "--progress", "none"]
-LIGHT = {name: ["--set", "bootstrap=2000"] for name in ("pssmlt", "mmlt", "mlt", "erpt", "mmlt+", "selective")}
+LIGHT = {name: ["--set", "bootstrap=2000"] for name in ("pssmlt", "mmlt", "mlt", "erpt", "masked")}
 
 
 class Trials:

@@ -5,9 +5,9 @@
 #include "ajar/namespace.h"
 
 namespace ajar::AJAR_INTERFACE {
-/// What a caller, a scene or a file is to blame for. `what()` is the whole message, ready to
-/// print; that of a scene begins with file:line:column. Anything else, such as too little memory,
-/// comes as other `std::exception`s.
+/// Error caused by a caller, a scene or a file. `what()` is the whole message, ready to print; that
+/// of a scene begins with file:line:column. Anything else, such as too little memory, comes as
+/// other `std::exception`s.
 class Error : public std::runtime_error {
  public:
   enum class Kind {

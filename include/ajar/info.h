@@ -5,7 +5,7 @@
 #include "ajar/namespace.h"
 
 namespace ajar::AJAR_INTERFACE {
-/// Of the library, such as "0.2.0".
+/// Version of the library, such as "0.2.0".
 std::string version();
 
 /// Something to choose from, with one line about it.

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Everything here is in `ajar`. The inner namespace keeps it apart from what the library itself
-/// calls by the same names; its number changes when programs must be compiled again.
+/// Everything here is in `ajar`. The inner namespace avoids clashes with the library's own names;
+/// its number changes when programs must be compiled again.
 #ifdef AJAR_IMPLEMENTATION
 #define AJAR_INTERFACE v0
 #else

@@ -8,7 +8,7 @@
 #include "ajar/namespace.h"
 
 namespace ajar::AJAR_INTERFACE {
-/// How a picture is shown to the eye.
+/// Display transform of a picture.
 struct Display {
   float exposure = 0.F;           ///< stops: twice as bright for each
   std::string tone_map = "srgb";  ///< or "filmic"
@@ -17,7 +17,7 @@ struct Display {
 /// A picture with all its layers. Copies share their pixels, which never change.
 class Picture {
  public:
-  // Of the pixels that were rendered: all, or those of the crop window.
+  // Size in pixels: the whole picture, or the crop window.
   int width() const;
   int height() const;
 
@@ -28,7 +28,7 @@ class Picture {
   /// Row by row from the top, channels interleaved; valid as long as some copy of the picture is.
   /// Raises Error for a layer that is not there.
   std::span<const float> pixels(const std::string& layer = "") const;
-  /// What is known of its making, as in the files: method, parameters, seed, samples, time, ….
+  /// Metadata of its files: method, parameters, seed, samples, time, ….
   const std::map<std::string, std::string>& metadata() const;
 
   /// Writes `.exr` (all layers), `.pfm`, `.hdr` (the picture, scene-linear), `.png` or `.jpg` (as

@@ -21,18 +21,18 @@
 ///     settings.seconds = 10.0;
 ///     ajar::render(ajar::Scene::load("builtin:cornell"), settings).save("cornell.png");
 namespace ajar::AJAR_INTERFACE {
-/// What is to be rendered, and how. What is empty is as the scene wants it, or else as
-/// `ajar render` has it by default. Numbers have its bounds, too.
+/// Settings of a render. Empty ones are taken from the scene, or else are the defaults of `ajar
+/// render`. Numbers have its bounds, too.
 struct Settings {
   std::string integrator;                         ///< a name of `integrators()`
-  std::map<std::string, std::string> parameters;  ///< of the integrator
+  std::map<std::string, std::string> parameters;  ///< parameters of the integrator
   // The render ends at whichever comes first; with none, after 64 samples per pixel.
   std::optional<std::uint64_t> samples_per_pixel;
   std::optional<double> seconds;                 ///< wall clock, of all but loading
   std::optional<double> target_error;            ///< relative error of the picture, as estimated
   bool denoised_target = false;                  ///< ... of the denoised picture
   std::optional<std::array<int, 2>> resolution;  ///< width and height, pixels
-  std::optional<double> scale;                   ///< of the size that the scene asks for, instead
+  std::optional<double> scale;                   ///< factor of the scene's size, instead
   // Edges of the paths: 1 is light seen directly, 2 is direct lighting.
   std::optional<int> min_depth;
   std::optional<int> max_depth;
@@ -51,17 +51,17 @@ struct Settings {
   bool resume = false;
 };
 
-/// How far a render is.
+/// Progress of a render.
 struct Progress {
   bool preparing = false;
-  double seconds = 0.0;                   ///< of preparing, or of rendering
+  double seconds = 0.0;                   ///< since the start of preparing, or of rendering
   double samples_per_pixel = 0.0;         ///< on average
-  std::optional<double> fraction;         ///< of the work, 0…1, as far as it can be told
+  std::optional<double> fraction;         ///< share of the work, 0…1, as far as known
   std::optional<double> estimated_error;  ///< relative, of the picture
   bool error_is_lower_bound = true;
 };
 
-/// What is called while it renders, on the thread of `run`; what it raises ends the render. All
+/// Callbacks during a render, on the thread of `run`; an exception from one ends the render. All
 /// may be empty.
 struct Callbacks {
   std::function<void(const Progress&)> progress;  ///< after each pass
@@ -71,7 +71,7 @@ struct Callbacks {
   std::function<void(const std::string&)> warning;
   std::function<void(const std::string&)> note;
   /// A file that could not be written, and where it is instead, or that it will be tried again.
-  /// Where this is empty, `warning` is told.
+  /// Reported as a `warning` if this is empty.
   std::function<void(const std::string&)> trouble;
 };
 

@@ -6,9 +6,9 @@
 #include "ajar/namespace.h"
 
 namespace ajar::AJAR_INTERFACE {
-/// A scene that was read, to be rendered as often as wanted. Copies share it; it never changes.
-/// While there is one, it keeps what the last render built of it: the next begins at once, whatever
-/// its method, parameters and seed, if only its resolution and filter are the same.
+/// A scene that was read, to be rendered any number of times. Copies share it; it never changes. It
+/// keeps the acceleration structure of the last render: the next begins at once, whatever its
+/// method, parameters and seed, if only its resolution and filter are the same.
 class Scene {
  public:
   /// A file in any format that `ajar render` takes, or `builtin:NAME`. Raises Error.
@@ -16,10 +16,10 @@ class Scene {
 
   /// As it was loaded.
   const std::string& name() const;
-  // Of the picture that it asks for, pixels.
+  // Size of the scene's picture, pixels.
   int width() const;
   int height() const;
-  /// What is unusual in its files, one sentence each, with its place: what matters most first.
+  /// Warnings on its files, one sentence each, with its place: the largest effects first.
   std::vector<std::string> warnings() const;
 
   struct Content;

@@ -27,7 +27,7 @@ bool has(const std::vector<ajar::Choice>& choices, const std::string& name) {
   });
 }
 
-/// What kind of error it raises, if any.
+/// Kind of the error that it raises, if any.
 std::optional<ajar::Error::Kind> raised(const std::function<void()>& work) {
   try {
     work();
@@ -66,7 +66,7 @@ TEST(Interface, RendersAScene) {
 
 TEST(Interface, BuildsASceneOnceForRendersOfItsSize) {
   const ajar::Scene scene = ajar::Scene::load("builtin:cornell");
-  // How a render that takes the scene as it is says so.
+  // Error of a render that takes the scene as it is.
   const auto builds = [&](const ajar::Settings& settings) {
     ajar::Render render(scene, settings);
     const ajar::Picture picture = render.run();
@@ -135,7 +135,7 @@ TEST(Interface, RendersAWindowThroughAnotherFilter) {
   const ajar::Picture part = ajar::render(scene, settings);
   ASSERT_EQ(part.width(), 10);
   ASSERT_EQ(part.height(), 6);
-  // How far its depths are from those of a window of the whole picture.
+  // Difference of its depths from those of a window of the whole picture.
   const auto difference = [&](std::size_t left, std::size_t top) {
     float sum = 0.F;
     for (std::size_t y = 0; y < 6; ++y) {
@@ -273,7 +273,7 @@ TEST(Interface, TellsWhatIsWrong) {
 TEST(Interface, CallsBackAndIsAskedByOtherThreads) {
   ajar::Settings settings = small_settings();
   settings.samples_per_pixel.reset();
-  settings.seconds = 86400.0;  // which no test waits for
+  settings.seconds = 86400.0;  // no test waits for it
   int passes = 0;
   int pictures = 0;
   ajar::Callbacks callbacks;

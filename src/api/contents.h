@@ -11,7 +11,7 @@
 #include "imageio/picture.h"
 #include "session/scenes/loaded_scene.h"
 
-/// What stands behind the types of include/ajar, and errors as they have them.
+/// Implementation of the types of include/ajar, and their errors.
 namespace ajar::v0 {
 
 struct Scene::Content {

@@ -11,7 +11,7 @@
 namespace ajar {
 namespace {
 
-/// The same power at every wavelength.
+/// Equal power at every wavelength.
 double equal_energy(double /*wavelength*/) { return 1.0; }
 
 double daylight(double wavelength) {

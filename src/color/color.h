@@ -15,11 +15,11 @@ Vec3d rgb_to_xyz(const Vec3d& rgb);
 /// constant beyond the ends. Normalised such that the spectrum that is 1 everywhere has Y = 1.
 /// Empty input gives 0.
 Vec3d sampled_to_xyz(std::span<const double> wavelengths, std::span<const double> values);
-/// The same as linear RGB; lanes may be negative for colours outside of the gamut.
+/// Conversion to linear RGB; lanes may be negative for colours outside of the gamut.
 Vec3d sampled_to_rgb(std::span<const double> wavelengths, std::span<const double> values);
 
-/// Linear RGB of what a spectrum makes of daylight (CIE illuminant D65), as a reflectance or an
-/// index of refraction does: the spectrum that is 1 everywhere is white.
+/// Linear RGB of a spectrum under daylight (CIE illuminant D65), for a reflectance or an index of
+/// refraction: the spectrum that is 1 everywhere is white.
 Vec3d sampled_to_rgb_in_daylight(std::span<const double> wavelengths,
                                  std::span<const double> values);
 
@@ -27,7 +27,7 @@ Vec3d sampled_to_rgb_in_daylight(std::span<const double> wavelengths,
 double blackbody_radiance(double wavelength_nm, double kelvin);
 /// XYZ of a black body, scaled such that the peak of its spectrum is 1 (pbrt-v3, section 12.1.1).
 Vec3d blackbody_xyz(double kelvin);
-/// The same as linear RGB, lanes outside of the gamut clamped to 0. Zero for kelvin ≤ 0.
+/// Linear RGB, with lanes outside of the gamut clamped to 0. Zero for kelvin ≤ 0.
 Vec3d blackbody_rgb(double kelvin);
 
 }  // namespace ajar

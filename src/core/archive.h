@@ -18,13 +18,13 @@
 namespace ajar {
 
 /// State on its way into a checkpoint and back: the same bytes on every machine, floats by their
-/// bits. A type takes part by a function template `serialize(archive, value)` beside it. Reading
-/// what cannot be raises a std::exception.
+/// bits. A type takes part by a function template `serialize(archive, value)` beside it. Invalid
+/// input raises a std::exception.
 template <typename Value>
 concept Archive = std::is_same_v<Value, OutputArchive> || std::is_same_v<Value, InputArchive>;
 
-/// Reads what an OutputArchive has written, from anybody: no value takes more memory than a few
-/// times the bytes that are there for it, whatever size it claims, and what is no bool is refused.
+/// Reads the output of an OutputArchive from untrusted files: no value takes more memory than a few
+/// times the bytes that are there for it, whatever size it claims, and invalid bools are refused.
 class InputArchive final
     : public cereal::InputArchive<InputArchive, cereal::AllowEmptyClassElision> {
  public:

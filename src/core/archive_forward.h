@@ -6,7 +6,7 @@ class PortableBinaryOutputArchive;
 
 namespace ajar {
 
-/// See core/archive.h, which is much to read for those who only pass an archive on.
+/// Forward declarations of core/archive.h, a large header, for code that only passes an archive on.
 using OutputArchive = cereal::PortableBinaryOutputArchive;
 class InputArchive;
 

@@ -54,7 +54,7 @@ Whole read(const std::string& bytes) {
   return whole;
 }
 
-/// What `write` writes, and then nothing.
+/// Expects an error from an archive that ends after `write`.
 template <typename Value, typename Write>
 void expect_refused(const Write& write) {
   const std::string bytes = archived(write);
@@ -74,8 +74,7 @@ TEST(Archive, IsRefusedWhereverItIsCutShortAndIfSomethingIsAdded) {
 }
 
 TEST(Archive, ClaimsOfSizeAreNotBelieved) {
-  // Of what is claimed, the first elements are there; the claims would need up to 2^64 times as
-  // much memory.
+  // Lengths beyond the elements that follow; memory for them would be up to 2^64 times as much.
   for (const std::uint64_t claim :
        {std::uint64_t{3}, std::uint64_t{1} << 32, std::uint64_t{1} << 61,
         std::numeric_limits<std::uint64_t>::max()}) {

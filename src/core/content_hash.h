@@ -5,8 +5,7 @@
 
 namespace ajar {
 
-/// Accumulates a 64-bit hash of contents, eight bytes at a time. It tells what differs by accident,
-/// not what somebody has made to have the same hash.
+/// Accumulates a 64-bit hash of contents, eight bytes at a time. Not cryptographic.
 class ContentHash {
  public:
   void word(std::uint64_t value) {

@@ -21,7 +21,7 @@ class Distribution1D {
  public:
   struct Choice {
     std::size_t index;
-    float probability;  ///< of the cell; > 0
+    float probability;  ///< selection probability of the cell; > 0
     float u;            ///< position within the cell, uniform in [0, 1) again
   };
   Distribution1D() = default;

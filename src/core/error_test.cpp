@@ -24,7 +24,7 @@ TEST(Errors, SceneErrorStartsWithItsPlace) {
   EXPECT_STREQ(SceneError(where, "no camera").what(), "a.pbrt:2:7: no camera");
 }
 
-TEST(NearestName, FindsSmallSlips) {
+TEST(NearestName, FindsSmallTypos) {
   const std::vector<std::string> names{"bdpt", "ibpt", "lt", "pt", "selective"};
   EXPECT_EQ(nearest_name("bpdt", names), "bdpt");
   EXPECT_EQ(nearest_name("selctive", names), "selective");
@@ -34,7 +34,7 @@ TEST(NearestName, FindsSmallSlips) {
   EXPECT_EQ(nearest_name("MLT", chains), "mlt");
 }
 
-TEST(NearestName, SaysNothingWhenNothingIsNear) {
+TEST(NearestName, IsEmptyWithoutANearOne) {
   const std::vector<std::string> names{"selective", "path-space"};
   EXPECT_EQ(nearest_name("zzzzzzz", names), "");
 }

@@ -12,7 +12,7 @@ namespace ajar {
 
 namespace {
 
-/// Whether a well-formed number that no double is near to is too large, not too small.
+/// True if a well-formed number outside of the range of double is too large, not too small.
 bool is_too_large(std::string_view text) {
   const std::size_t e = text.find_first_of("eE");
   const std::string_view digits = text.substr(0, e);

@@ -15,7 +15,7 @@ TEST(NumberText, HasNoExponentForWholeNumbers) {
   EXPECT_EQ(number_text(1e30), "1e+30");
 }
 
-TEST(NumberOf, IsThatOfAWholeText) {
+TEST(NumberOf, ParsesAWholeText) {
   EXPECT_EQ(number_of("-0.33"), -0.33);
   EXPECT_EQ(number_of("+2e3"), 2000.0);
   for (const char* const none : {"", "+", "0,5", "1 ", " 1", "1x", "+-1", "0x1p3"}) {
@@ -23,7 +23,7 @@ TEST(NumberOf, IsThatOfAWholeText) {
   }
 }
 
-TEST(NumberOf, TellsTooLargeFromTooSmall) {
+TEST(NumberOf, DistinguishesOverflowFromUnderflow) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const char* const large : {"1.5e400", "1e+400", "123456.5e305", "1e99999999999999999999"}) {
     EXPECT_EQ(number_of(large), infinity) << large;
@@ -36,7 +36,7 @@ TEST(NumberOf, TellsTooLargeFromTooSmall) {
   EXPECT_EQ(number_of("1" + std::string(100, '0') + "e-500"), 0.0);
 }
 
-TEST(DecimalOf, IsThatWhichPeopleWrite) {
+TEST(DecimalOf, IsTheShortestDecimal) {
   EXPECT_EQ(decimal_of(0.1F), 0.1);
   EXPECT_EQ(decimal_of(-3e20F), -3e20);
 }

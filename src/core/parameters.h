@@ -9,7 +9,7 @@
 
 namespace ajar {
 
-/// What comes after `Choice` is only for the nodes of a scene (`scene/desc/node.h`).
+/// Types after `Choice` are only for the nodes of a scene (`scene/desc/node.h`).
 enum class ParameterType {
   Bool,
   Int,
@@ -38,16 +38,15 @@ struct ParameterSpec {
   std::vector<std::string> choices;  ///< for Choice; for Float, words that may stand for a number
   double minimum = -1e300;
   double maximum = 1e300;
-  bool expert = false;  ///< for those who study the method; lists show it below the others
-  /// For Float and Color in scenes: a texture may stand in place of the value. A texture can have
-  /// any value, so the model that reads it brings it into the range; all others are errors beyond
-  /// it.
+  bool expert = false;  ///< for experts; lists show it below the others
+  /// For Float and Color in scenes: a texture may replace the value. Values of a texture are
+  /// clamped to the range by the model that reads it; other values beyond it are errors.
   bool textured = false;
   /// If it matters only while another parameter, a Choice declared before it, has one of some
   /// values: the name of that parameter, and the values.
   std::string depends_on = {};
   std::vector<std::string> matters_for = {};
-  /// Whether it matters while that parameter has this value.
+  /// True if this parameter has an effect while the other has this value.
   bool matters_with(const std::string& value) const;
   bool open_range = false;  ///< minimum and maximum themselves are not allowed
 };
@@ -85,7 +84,7 @@ class Parameters {
   bool matters(const ParameterSpec& spec) const {
     return spec.depends_on.empty() || spec.matters_with(get_text(spec.depends_on));
   }
-  /// What was not left at its default.
+  /// Parameters that were not left at their default.
   const std::map<std::string, std::string>& given() const { return given_; }
 
  private:

@@ -39,7 +39,7 @@ TEST(Parameters, DefaultsFillWhatIsNotGiven) {
   EXPECT_EQ(parameters.values().size(), declared.size());
 }
 
-TEST(Parameters, AWordMayStandInPlaceOfANumber) {
+TEST(Parameters, NumbersMayHaveWordsAsValues) {
   const auto declared = specs();
   EXPECT_FALSE(Parameters(declared, {}).get_number("limit"));
   EXPECT_EQ(Parameters(declared, {{"limit", "0.5"}}).get_number("limit"), 0.5);
@@ -56,7 +56,7 @@ TEST(Parameters, AllButTheBasicOnesAreForExperts) {
   EXPECT_THROW(mark_experts(declared, {"sigmas"}), std::logic_error);
 }
 
-TEST(Parameters, MatterAsLongAsTheyHaveAnEffect) {
+TEST(Parameters, AreInactiveWithoutAnEffect) {
   auto declared = specs();
   ParameterSpec& sigma = declared[2];
   sigma.depends_on = "heuristic";
@@ -67,7 +67,7 @@ TEST(Parameters, MatterAsLongAsTheyHaveAnEffect) {
   EXPECT_TRUE(balanced.matters(declared[0]));
 }
 
-TEST(Parameters, BooleansHaveOneSpellingInside) {
+TEST(Parameters, BooleansAreNormalised) {
   const auto declared = specs();
   for (const char* no : {"false", "off", "no", "0"}) {
     const Parameters parameters(declared, {{"roulette", no}});

@@ -61,8 +61,8 @@ float slope(int corner, float x, float y, float z) {
 float fade(float t) { return t * t * t * (t * (t * 6.F - 15.F) + 10.F); }
 float mix(float t, float a, float b) { return a + t * (b - a); }
 
-/// The cell that holds a number, modulo 256, and where in it. Without calls where that is possible:
-/// noise is what scenes with it spend most of their time on.
+/// The cell that holds a number, modulo 256, and the place in it. Without calls where that is
+/// possible: noise dominates the time of scenes with it.
 struct Cell {
   explicit Cell(float v) {
     constexpr float kExact = 0x1p30F;

@@ -8,7 +8,7 @@ namespace ajar {
 float noise(const Vec3& p);
 /// Sum of `octaves` noises, each 1.99 times finer and `roughness` times weaker than the one before.
 float fbm(const Vec3& p, float roughness, int octaves);
-/// The same with absolute values. Source: pbrt-v3, section 10.6.4.
+/// Turbulence: the sum of absolute values. Source: pbrt-v3, section 10.6.4.
 float turbulence(const Vec3& p, float roughness, int octaves);
 
 }  // namespace ajar

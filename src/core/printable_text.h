@@ -2,9 +2,8 @@
 #include <string>
 #include <string_view>
 
-/// Names of scenes, materials, files and whatever else others chose, made fit to be shown. A
-/// terminal takes control characters as orders: to move the cursor over what was said before, to
-/// set titles, even to answer.
+/// Names of scenes, materials, files and other untrusted text, made safe to print. Terminals obey
+/// control characters: they move the cursor over earlier text, set titles, even answer.
 namespace ajar {
 
 /// `text` for a terminal, in lines: UTF-8 as it is, with line feeds and tabs; other control
@@ -12,7 +11,8 @@ namespace ajar {
 /// "\u202e", bytes that are no UTF-8 as "\xff". A text that says "\x1b" by itself looks the same.
 std::string printable_text(std::string_view text);
 
-/// The same in one line, for names and cells of tables: line feeds and tabs as "\n" and "\t".
+/// As one line, for names and cells of tables: line feeds and tabs become "
+/// " and "\t".
 std::string printable_line(std::string_view text);
 
 /// `text` with U+FFFD in the place of every byte that is no UTF-8, for formats that are UTF-8.

@@ -13,7 +13,7 @@ TEST(PrintableText, KeepsTextAndItsLines) {
   EXPECT_EQ(printable_line("two\nlines\tand a tab"), "two\\nlines\\tand a tab");
 }
 
-TEST(PrintableText, ShowsControlCharactersInsteadOfObeyingThem) {
+TEST(PrintableText, EscapesControlCharacters) {
   EXPECT_EQ(printable_text("\x1b[31mred\x1b]0;title\x07"), "\\x1b[31mred\\x1b]0;title\\x07");
   EXPECT_EQ(printable_text("over\rwritten\b\x7f"), "over\\x0dwritten\\x08\\x7f");
   EXPECT_EQ(printable_text(std::string_view("a\0b", 3)), "a\\x00b");
@@ -21,7 +21,7 @@ TEST(PrintableText, ShowsControlCharactersInsteadOfObeyingThem) {
   EXPECT_EQ(printable_text("exe.\xe2\x80\xaegnp"), "exe.\\u202egnp") << "right to left";
 }
 
-TEST(PrintableText, ShowsBytesThatAreNoUtf8) {
+TEST(PrintableText, EscapesInvalidUtf8) {
   EXPECT_EQ(printable_text("caf\xe9"), "caf\\xe9");
   EXPECT_EQ(printable_text("\x9b\x33\x31m"), "\\x9b31m") << "C1 in one byte";
   for (const char* wrong : {"\xc0\xaf", "\xe0\x80\xaf", "\xf0\x80\x80\xaf", "\xed\xa0\x80",
@@ -30,7 +30,7 @@ TEST(PrintableText, ShowsBytesThatAreNoUtf8) {
   }
 }
 
-TEST(ValidUtf8, ReplacesWhatIsNone) {
+TEST(ValidUtf8, ReplacesInvalidBytes) {
   EXPECT_EQ(valid_utf8("Bibliothèque\n\x1b"), "Bibliothèque\n\x1b");
   EXPECT_EQ(valid_utf8("caf\xe9.png\xc0"), "caf\xef\xbf\xbd.png\xef\xbf\xbd");
 }

@@ -20,7 +20,7 @@ bool is_named(RandomUse use) {
     case RandomUse::Bootstrap:
     case RandomUse::Seeds:
     case RandomUse::Chain:
-    case RandomUse::PlainSamples:
+    case RandomUse::DarkPilot:
     case RandomUse::StepLength:
     case RandomUse::RasterMove:
     case RandomUse::RasterLength:
@@ -37,10 +37,10 @@ bool is_named(RandomUse use) {
     case RandomUse::RouletteScramble:
     case RandomUse::TechniqueTrial:
     case RandomUse::TechniqueTiles:
-    case RandomUse::RecruitLot:
-    case RandomUse::LightLot:
-    case RandomUse::RecruitReplicate:
-    case RandomUse::RecruitSeeds:
+    case RandomUse::SeedRoulette:
+    case RandomUse::PilotRoulette:
+    case RandomUse::SeedReplicate:
+    case RandomUse::SeedResampling:
     case RandomUse::Features:
       return true;
   }

@@ -24,8 +24,7 @@ float sobol(std::uint32_t index, int dimension, std::uint64_t seed);
 float sobol_1d(std::uint32_t index, std::uint64_t seed);
 /// Dimensions 0 and 1 of the sequence of `seed`.
 Vec2 sobol_2d(std::uint32_t index, std::uint64_t seed);
-/// The same for the pads of a path vertex at once: point k is sobol_2d(index, seeds[k]), several
-/// times faster.
+/// All pads of a path vertex at once: point k is sobol_2d(index, seeds[k]), several times faster.
 inline constexpr std::size_t kSobolPads = 4;
 using SobolPads = std::array<Vec2, kSobolPads>;
 SobolPads sobol_pads(std::uint32_t index, const std::array<std::uint64_t, kSobolPads>& seeds);

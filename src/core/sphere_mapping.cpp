@@ -35,7 +35,7 @@ Vec2 equal_area::to_uv(const Vec3& w) {
   const float size = length(w);
   // √(1 − |z|), which keeps its digits near the poles.
   const float r = std::sqrt((x * x + y * y) / (size * (size + std::abs(w.z))));
-  const float turn = std::atan2(y, x) * (2.F * kInvPi);  // of a quadrant
+  const float turn = std::atan2(y, x) * (2.F * kInvPi);  // angle within a quadrant
   float v = turn * r;
   float u = r - v;
   if (w.z < 0.F) {

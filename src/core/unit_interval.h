@@ -14,8 +14,8 @@ struct UnitInterval {
   UnitInterval part(const UnitInterval& inner) const {
     return {begin + size * inner.begin, size * inner.size};
   }
-  /// The number at `u` in [0, 1) of it: what undoes the choice. A few roundings off its ends, where
-  /// those who choose may come to another.
+  /// The number at `u` in [0, 1) of it: inverse of the choice. Some roundings off its ends, where
+  /// the choice may differ.
   float at(float u) const {
     if (size == 1.0) return u;
     const double margin = std::min(0.25 * size, 0x1p-22);
@@ -24,8 +24,8 @@ struct UnitInterval {
   }
 };
 
-/// Which of two ways a sample came, if they make it with densities (or probabilities) `first` and
-/// `second`, not both zero: true for the first. `u` decides, and is stretched to [0, 1) again.
+/// Chooses between two ways to sample with densities (or probabilities) `first` and `second`, not
+/// both zero: true for the first. `u` decides, and is remapped to [0, 1).
 inline bool came_first(double first, double second, float& u) {
   const double share = first / (first + second);
   const auto v = static_cast<double>(u);

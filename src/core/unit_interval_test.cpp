@@ -26,7 +26,7 @@ TEST(UnitInterval, PartsNest) {
   EXPECT_DOUBLE_EQ(part.size, 0.125);
 }
 
-TEST(UnitInterval, TheWayIsDrawnInProportionAndTheNumberIsUniformAgain) {
+TEST(UnitInterval, ChoiceIsProportionalAndTheNumberIsUniformAgain) {
   Rng rng(1);
   int first = 0;
   double sum = 0.0;

@@ -7,12 +7,12 @@
 
 namespace ajar {
 
-/// Warnings as they are told in a terminal.
+/// Warnings as a terminal shows them.
 struct WarningDigest {
   /// One for each kind that can be seen in the picture, those with the most effect first.
   std::vector<std::string> lines;
-  /// What has no visible effect, and where to see all warnings one by one; empty if nothing is left
-  /// to say.
+  /// Number of warnings without visible effect, and where to see all one by one; empty if nothing
+  /// is left to say.
   std::string note;
 };
 

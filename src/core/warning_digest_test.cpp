@@ -26,7 +26,7 @@ TEST(WarningDigest, IsEmptyWithoutWarnings) {
   EXPECT_EQ(empty.note, "");
 }
 
-TEST(WarningDigest, TellsSingleWarningsAsTheyAre) {
+TEST(WarningDigest, PrintsSingleWarningsInFull) {
   Warnings warnings;
   warnings.add(kImage, line(2), "cannot read \"a.png\"", "a.png");
   warnings.add(kLamp, line(3), "the lamp is out");
@@ -36,7 +36,7 @@ TEST(WarningDigest, TellsSingleWarningsAsTheyAre) {
   EXPECT_EQ(digested.note, "");
 }
 
-TEST(WarningDigest, TellsThoseOfAKindInOneLineWithExamples) {
+TEST(WarningDigest, GroupsAKindInOneLineWithExamples) {
   Warnings warnings;
   for (int i = 0; i < 3000; ++i) warnings.add(kParameter, line(i + 1), "ignored");
   for (int i = 0; i < 12; ++i) {
@@ -51,7 +51,7 @@ TEST(WarningDigest, TellsThoseOfAKindInOneLineWithExamples) {
   EXPECT_EQ(digest(warnings, kScreen, "").note, "");
 }
 
-TEST(WarningDigest, TellsWhatCannotBeSeenInTheNote) {
+TEST(WarningDigest, CountsInvisibleWarningsInTheNote) {
   Warnings warnings;
   for (int i = 0; i < 2; ++i) warnings.add({kTriangle, line(i + 1), "3 of 8", "b.ply", 3});
   WarningDigest digested = digest(warnings, kScreen, "ajar info a.pbrt");
@@ -65,7 +65,7 @@ TEST(WarningDigest, TellsWhatCannotBeSeenInTheNote) {
             "a.pbrt:7:1: a spare is left");
 }
 
-TEST(WarningDigest, LeavesOutNoKindHoweverManyThereAre) {
+TEST(WarningDigest, KeepsEveryKind) {
   std::deque<std::string> texts;
   Warnings warnings;
   const auto add_kinds = [&](Effect effect, int count) {
@@ -84,7 +84,7 @@ TEST(WarningDigest, LeavesOutNoKindHoweverManyThereAre) {
   add_kinds(Effect::Slight, 15);
   add_kinds(Effect::Surface, 5);
   add_kinds(Effect::Light, 3);
-  // What matters least shares a line.
+  // Warnings of the least effect share a line.
   Lines lines = digest(warnings, kScreen, "").lines;
   EXPECT_EQ(lines.size(), 9U);
   EXPECT_EQ(lines.front(), "a.pbrt:1:1: kind 20");

@@ -13,7 +13,7 @@ namespace {
 
 std::size_t index_of(Effect effect) { return static_cast<std::size_t>(effect); }
 
-/// By file, in the order in which files come first, and line; what has no place comes last.
+/// By file, in the order in which files come first, and line; unlocated ones come last.
 template <typename T, typename WhereOf>
 void sort_by_place(std::vector<T>& list, WhereOf where_of) {
   std::map<std::string, std::size_t> ranks;

@@ -9,13 +9,13 @@
 
 #include "core/error.h"
 
-/// Remarks about input that is unusual but usable, in the order of what they do to the picture:
+/// Warnings of input that is unusual but usable, in the order of their effect on the picture:
 ///
 ///     constexpr WarningKind kUnreadable{Effect::Surface, "textures cannot be read: magenta"};
 ///     warnings.add(kUnreadable, where, "cannot read \"a.png\": magenta stands in", "a.png");
 namespace ajar {
 
-/// What stands behind a warning does to the picture, the worst first.
+/// Effect on the picture, the worst first.
 enum class Effect {
   Light,     ///< light is missing or another, or the picture as a whole is
   Geometry,  ///< something is missing that should be seen, or has another form
@@ -27,23 +27,23 @@ inline constexpr std::size_t kEffects = 5;
 /// "light", "geometry", "surfaces", "slight effect", "no visible effect".
 std::string_view name_of(Effect effect);
 
-/// What warnings have in common that are told in one line. Those of the same text are of one kind;
-/// it must outlive them.
+/// Common properties of warnings that are printed in one line. Those of the same text are of one
+/// kind; it must outlive them.
 struct WarningKind {
   Effect effect;
-  /// What is told of several, behind their number: "textures cannot be read: magenta".
+  /// Text for several, after their number: "textures cannot be read: magenta".
   std::string_view several;
-  /// Where one warning is about many (`Warning::amount`): what it is found in, as in "7 triangles
-  /// have no area, in 2 meshes"; else empty.
+  /// Containers of the things that one warning counts (`Warning::amount`), as in "7 triangles have
+  /// no area, in 2 meshes"; else empty.
   std::string_view holders = {};
 };
 
 struct Warning {
   WarningKind kind;
   SourceLocation where;
-  std::string message;       ///< of this one alone, without its place
-  std::string subject = {};  ///< name of what it is about, as an example for its kind; may be empty
-  std::uint64_t amount = 1;  ///< how many things it is about
+  std::string message;       ///< text of this one alone, without its place
+  std::string subject = {};  ///< name of its object, as an example for its kind; may be empty
+  std::uint64_t amount = 1;  ///< number of things that it is about
   /// "place: message".
   std::string text() const { return located(where, message); }
 };
@@ -75,7 +75,7 @@ class Warnings {
 
   std::size_t count() const;
   std::size_t count(Effect effect) const;
-  /// Those that are kept, by effect, then by file and line: the scene may be read in another order.
+  /// Kept warnings by effect, then by file and line: the scene may be read in another order.
   std::vector<Warning> kept() const;
   /// Their texts.
   std::vector<std::string> messages() const;

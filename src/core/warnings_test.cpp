@@ -39,7 +39,7 @@ TEST(Warnings, KeepsThePlace) {
   EXPECT_EQ(warnings.messages()[0], "a.pbrt:4:1: unused parameter");
 }
 
-TEST(Warnings, KeepsWhatChangesThePictureMost) {
+TEST(Warnings, KeepsTheOnesOfLargestEffect) {
   Warnings warnings(3);
   for (int i = 1; i <= 10; ++i) warnings.add(kParameter, line(i), "parameter");
   warnings.add(kImage, line(11), "first image");
@@ -53,7 +53,7 @@ TEST(Warnings, KeepsWhatChangesThePictureMost) {
   EXPECT_EQ(warnings.count(Effect::Geometry), 0U);
 }
 
-TEST(Warnings, OfAKindAreAGroupInTheOrderOfEffects) {
+TEST(Warnings, AreGroupedByKindInTheOrderOfEffects) {
   Warnings warnings;
   warnings.add({kTriangle, line(1), "7 of 9", "a.ply", 7});
   warnings.add(kOther, line(2), "other");
@@ -100,7 +100,7 @@ TEST(Warnings, NameAFewExamplesOfAGroup) {
   EXPECT_TRUE(group.has_more_subjects);
 }
 
-TEST(Warnings, TakeThoseOfOthers) {
+TEST(Warnings, MergeOthers) {
   Warnings others;
   for (int i = 0; i < 300; ++i) others.add(kParameter, line(i + 2), "parameter", std::to_string(i));
   others.add(kLamp, line(1), "lamp");

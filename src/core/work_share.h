@@ -9,7 +9,7 @@ struct WorkShare {
   std::uint64_t index = 0;
   std::uint64_t count = 1;
   bool has(std::uint64_t item) const { return item % count == index; }
-  /// Of `items` items.
+  /// Part of `items` that belongs to this worker.
   std::uint64_t size(std::uint64_t items) const {
     return items / count + (items % count > index ? 1 : 0);
   }

@@ -37,8 +37,8 @@ TEST(Blur, KeepsAnEvenPicture) {
   }
 }
 
-/// What the error by scale is for: of independent noise a Gaussian leaves 1/(4πσ²).
-TEST(Blur, LeavesOfIndependentNoiseWhatTheoryLeaves) {
+/// Premise of the error by scale: a Gaussian leaves 1/(4πσ²) of independent noise.
+TEST(Blur, ReducesIndependentNoiseByTheTheoreticalFactor) {
   std::mt19937 random(3);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same test each time
   std::normal_distribution<float> normal;
   constexpr Vec2i kLarge{400, 400};

@@ -70,9 +70,9 @@ BlockMean replicated_mean(const Replicates& replicates, const BlockGrid& grid,
   return result;
 }
 
-/// Of an image whose pixels have independent errors; the channels of a pixel are taken as fully
-/// correlated, for they see the same paths. `freedom`: degrees of freedom of each value's variance,
-/// infinite if that is known. Empty variances are zero.
+/// Mean over the blocks of an image whose pixels have independent errors; the channels of a pixel
+/// are taken as fully correlated, for they see the same paths. `freedom`: degrees of freedom of
+/// each value's variance, infinite if that is known. Empty variances are zero.
 BlockMean reference_mean(std::span<const float> reference, std::span<const float> variance,
                          double freedom, const BlockGrid& grid, const Region& region) {
   BlockMean result;

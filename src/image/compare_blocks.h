@@ -31,12 +31,13 @@ struct BlockComparison {
   double worst_z = 0;
   double worst_p = 1;   ///< two-sided, of the worst block alone
   double family_p = 1;  ///< chance that any block looks this bad if the images are equal (Šidák)
-  double mean_difference = 0;           ///< of the whole image, all channels
+  double mean_difference = 0;           ///< over the whole image, all channels
   double mean_error = 0;                ///< standard error of that
   double mean_freedom = 0;              ///< degrees of freedom of that error
   double mean_z = 0;                    ///< the difference in standard normal units
   double mean_relative_difference = 0;  ///< mean_difference / mean of b
-  double typical_error = 0;    ///< of the difference of a block's means: median over the tests
+  double typical_error = 0;    ///< standard error of the difference of a block's means: median over
+                               ///< the tests
   double typical_freedom = 0;  ///< degrees of freedom of that error
 
   /// True unless a block or the whole image differs more than chance allows: an equal pair is

@@ -5,12 +5,11 @@
 
 namespace ajar {
 
-/// What turns the sums of a layer into pixel values: one over a number of samples, as a rule the
-/// same for all pixels. Methods that bring more of them to some pixels than to others, or scale
-/// what they bring by something of the pixel (its radius of gathering, the brightness of its tile),
-/// have a factor for each.
+/// Scale from the sums of a layer to pixel values: one over a number of samples, as a rule equal
+/// for all pixels. Methods with a scale per pixel (density of samples, radius of gathering,
+/// brightness of a tile) have a factor for each.
 struct DevelopScale {
-  double factor = 0.0;          ///< of every pixel
+  double factor = 0.0;          ///< common to all pixels
   std::vector<float> pixels{};  ///< times that of each, row by row over the crop; empty: 1
 
   DevelopScale() = default;
@@ -23,8 +22,8 @@ struct DevelopScale {
   }
 };
 
-/// That of the sum of two films, each of which has its own: numbers of samples add up. Those that
-/// differ by pixel must be of one size.
+/// Scale of the sum of two films with scales of their own: numbers of samples add up. Scales by
+/// pixel must be of one size.
 DevelopScale scale_of_sum(const DevelopScale& a, const DevelopScale& b);
 
 }  // namespace ajar

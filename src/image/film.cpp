@@ -214,7 +214,7 @@ std::vector<float> Film::develop_range(const Storage& storage, int first, int co
       for (int r = first; r < first + count; ++r) {
         const std::int64_t sum =
             sums_[storage.first + storage.stride * static_cast<std::size_t>(r) + i];
-        // What came after saturation depends on the order of the contributions: not shown.
+        // A saturated sum depends on the order of the contributions: not shown.
         total += static_cast<double>(std::clamp(sum, -kSumLimit, kSumLimit));
       }
       image[i] = static_cast<float>(total * storage.quantum * factor);

@@ -20,7 +20,8 @@ struct LayerSpec {
   bool has_replicates = true;  ///< AOVs that need no error bars keep one sum
   /// Typical magnitude of a contribution; sets the fixed-point quantum (rounded to a power of two).
   double magnitude = 1.0;
-  /// Whether the channels keep what single samples saw (identities.h) instead of sums of them.
+  /// True if the channels keep the identities that single samples saw (identities.h) instead of
+  /// sums of them.
   bool holds_identities = false;
   /// Name of the layer that this one is a part of: shown as part of it, not by itself.
   std::string part_of{};
@@ -32,7 +33,7 @@ struct LayerSpec {
   /// part of the picture, and not shown.
   std::string box_of{};
 
-  /// Whether it is one of those that add up to the picture.
+  /// True for layers that add up to the picture.
   bool is_light() const {
     const std::string& whole = part_of.empty() ? name : part_of;
     return instead_of.empty() && box_of.empty() && (whole == "direct" || whole == "indirect");
@@ -65,7 +66,7 @@ class Film {
 
   Vec2i resolution() const { return resolution_; }  ///< full image
   const Box2i& crop() const { return crop_; }       ///< min and max inclusive (Imath convention)
-  int width() const { return width_; }              ///< of the crop
+  int width() const { return width_; }              ///< width of the crop
   int height() const { return height_; }
   int replicates() const { return replicates_; }
   std::span<const LayerSpec> layers() const { return layers_; }
@@ -100,8 +101,8 @@ class Film {
 
   /// Adds the sums of a film of the same size, replicates and layers, whose magnitudes may differ.
   /// Exact if they do not, or if the other's are larger; else rounded to a quantum of this film.
-  /// What a sum cannot hold is cut off. Of identities, each is kept that this film does not have.
-  /// Raises std::invalid_argument if the films do not fit.
+  /// Sums saturate. Identities are added where this film has none. Raises std::invalid_argument if
+  /// the films do not fit.
   void add(const Film& other);
 
   void clear();

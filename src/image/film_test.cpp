@@ -277,7 +277,7 @@ TEST(Film, BoxLayersAreThoseOfLightAlone) {
                std::invalid_argument);
 }
 
-TEST(Film, RefusesWhatIsNoNumber) {
+TEST(Film, RefusesNan) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
   Film film = make_film(Filter::triangle({2.F, 2.F}));

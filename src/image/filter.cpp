@@ -41,7 +41,7 @@ struct Filter::Table {
     float start;         ///< cumulative probability before the cell
     float per_width;     ///< 1 / probability of the cell
     float left;          ///< density at its left end
-    float left_squared;  ///< and what squares take to the right end
+    float left_squared;  ///< its square, and the rise of squares to the right end
     float squared_rise;
     float weight;  ///< 1 / (mean density over both sides, in pixels^-1)
   };

@@ -34,7 +34,7 @@ class Filter {
   static Filter sinc(const Vec2& radius, float tau);
 
   Vec2 radius() const { return {axes_[0].radius, axes_[1].radius}; }
-  /// Whether pixels share nothing: `box` of its default radius.
+  /// True if pixels share nothing: `box` of its default radius.
   bool is_box_of_pixel() const { return shape_ == Shape::Box && radius() == Vec2(0.5F, 0.5F); }
 
   /// h at an offset (pixels) from the centre; zero outside [-radius, radius), an interval open to

@@ -135,7 +135,7 @@ TEST(Filter, SamplingIsMonotoneAndStaysInside) {
   }
 }
 
-TEST(Filter, RefusesWhatIsNoFilter) {
+TEST(Filter, RefusesInvalidParameters) {
   EXPECT_THROW(Filter::box({0.F, 1.F}), SceneError);
   EXPECT_THROW(Filter::box({-1.F, 1.F}), SceneError);
   EXPECT_THROW(Filter::triangle({1.F, 1000.F}), SceneError);

@@ -129,7 +129,7 @@ Plane see(const Plane& plane, std::span<const Sensitivity> sensitivities, double
   return result;
 }
 
-/// What the eye resolves of an image, in Hunt-adjusted L*a*b*.
+/// Colours of an image as the eye resolves them, in Hunt-adjusted L*a*b*.
 std::vector<Vec3d> seen_colors(const Planes& planes, double ppd) {
   const Planes seen{see(planes[0], std::span(&kAchromatic, 1), ppd),
                     see(planes[1], std::span(&kRedGreen, 1), ppd),

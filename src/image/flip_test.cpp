@@ -19,7 +19,7 @@ using testing_images::brighter_patch;
 using testing_images::kPatternSize;
 using testing_images::pattern;
 
-/// Of single precision: the power 0.7 makes much of the rounding of small colour differences.
+/// Rounding in single precision: the power 0.7 amplifies that of small colour differences.
 constexpr double kTolerance = 5e-5;
 
 float at(const std::vector<float>& map, std::size_t x, std::size_t y) {

@@ -9,7 +9,7 @@
 namespace ajar {
 
 namespace {
-/// Display value (before encoding) that the exposures bring the ends of the range to.
+/// Display value (before encoding) of the ends of the range at these exposures.
 constexpr double kTarget = 0.85;
 
 /// The linear value that `filmic_curve` maps to `target`.

@@ -13,12 +13,12 @@ struct ImageHeuristics {
   /// double not measured.
   static constexpr std::size_t kPlace = 4;
   /// With fewer places the relative standard deviation of the value is more than 10 % (of a sum of
-  /// n equal squares: sqrt(1/n), half of that of its root), and what is rare is rarer than that.
+  /// n equal squares: sqrt(1/n), half of that of its root), and rare paths are still missing.
   /// Unit: places. Range: >= 1. Source: docs/notebook/equal-time-errors.md, "When the estimate is a
   /// bound": values within 10 % of the truth are 83 % of the renders that are not bounds with 15 or
   /// 25, 78 % with 10, 91 % with 40.
   static constexpr double kFewestPlaces = 25.0;
-  /// Small pictures do not have so many: this share of their places instead.
+  /// Share of the places of small pictures, which have fewer.
   /// Unit: share. Range: (0, 1]. Source: 51b6652; set by hand, no study.
   static constexpr double kFewestOfPlaces = 0.25;
 
@@ -28,11 +28,11 @@ struct ImageHeuristics {
   /// times it; with 2 they are 53 %, with 4 69 %, and 6 % above.
   static constexpr int kAroundFirefly = 3;
 
-  // -------------------------------------------------------- guess of the truth
+  // -------------------------------------------------------- smoothed reference
   /// Rounds of averages, by how far apart neighbours are.
   /// Unit: pixels. Range: powers of two from 1 on. Source: the à-trous scheme (Dammertz et al.
   /// 2010); 51b6652, fewer or more not measured.
-  static constexpr std::array<int, 5> kGuessStrides = {1, 2, 4, 8, 16};
+  static constexpr std::array<int, 5> kSmoothingStrides = {1, 2, 4, 8, 16};
   /// Relative standard error of a pixel that is good enough as it is.
   /// Unit: share. Range: > 0. Source: 51b6652; set by hand, no study.
   static constexpr float kQuiet = 0.05F;

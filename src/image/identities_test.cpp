@@ -23,7 +23,7 @@ Film make_film(std::initializer_list<const char*> names) {
               4, specs);
 }
 
-/// What the samples of a pixel saw, in order.
+/// Identities that the samples of a pixel saw, in order.
 void add(Film& film, const std::string& name, Vec2i pixel, const std::vector<unsigned>& numbers) {
   const IdentityLayers layers(film, name);
   for (std::size_t i = 0; i < numbers.size(); ++i) layers.add(film, pixel, i, numbers[i]);
@@ -36,7 +36,7 @@ float majority_of(const std::vector<unsigned>& numbers) {
   return majority_numbers(film, "object-id")[kPictureWidth + 1];
 }
 
-TEST(MajorityNumbers, AreWhatMostSamplesSaw) {
+TEST(MajorityNumbers, AreTheMostFrequentNumbers) {
   EXPECT_EQ(majority_of({7}), 7.F);
   EXPECT_EQ(majority_of({7, 3, 3}), 3.F);
   EXPECT_EQ(majority_of({1, 2, 3, 4, 5, 6, 7, 8, 8}), 8.F);
@@ -54,7 +54,7 @@ TEST(MajorityNumbers, AreThoseOfNothingWhereTheFilmHoldsNone) {
   }
 }
 
-TEST(MajorityNumbers, CountWhatSeesNothing) {
+TEST(MajorityNumbers, CountSamplesThatHitNothing) {
   EXPECT_EQ(majority_of({0, 5, 0, 5, 0}), 0.F);
   EXPECT_EQ(majority_of({0, 5, 5}), 5.F);
 }

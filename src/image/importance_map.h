@@ -13,7 +13,7 @@ namespace ajar {
 /// border are those of the nearest pixel.
 class ImportanceMap {
  public:
-  /// The same weight everywhere.
+  /// Constant weight.
   ImportanceMap() = default;
   /// Row by row over `pixels` (min and max inclusive). Weights are scaled to a mean of 1; those
   /// below `floor` times the mean, or not finite, are raised to that, because a pixel of weight

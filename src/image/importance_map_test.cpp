@@ -29,14 +29,14 @@ TEST(ImportanceMap, HasAMeanOfOneAndKeepsRatios) {
   EXPECT_FLOAT_EQ(at(map, 2, 0), 2.F);
 }
 
-TEST(ImportanceMap, RaisesWhatIsTooSmallToItsFloor) {
+TEST(ImportanceMap, RaisesSmallWeightsToItsFloor) {
   const ImportanceMap map(pixels(0, 0, 4, 1), {0.F, 1e-6F, -3.F, 4.F});
   for (int x = 0; x < 3; ++x) EXPECT_EQ(at(map, x, 0), ImageHeuristics::kImportanceFloor) << x;
   const ImportanceMap own_floor(pixels(0, 0, 2, 1), {0.F, 4.F}, 0.25F);
   EXPECT_EQ(at(own_floor, 0, 0), 0.25F);
 }
 
-TEST(ImportanceMap, TakesWhatIsNotANumberForTheFloor) {
+TEST(ImportanceMap, ReplacesNanByTheFloor) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   const ImportanceMap map(pixels(0, 0, 4, 1), {nan, infinity, -infinity, 4.F});
@@ -59,7 +59,7 @@ TEST(ImportanceMap, FindsThePixelOfARasterPosition) {
   EXPECT_FLOAT_EQ(map(Vec2(10.F, 21.F)), 3.F * unit);
 }
 
-TEST(ImportanceMap, GoesOnBeyondItsBorder) {
+TEST(ImportanceMap, ExtendsBeyondItsBorder) {
   const ImportanceMap map(pixels(10, 20, 2, 2), {1.F, 2.F, 3.F, 4.F});
   const float unit = 1.F / 2.5F;
   EXPECT_FLOAT_EQ(map(Vec2(8.F, 18.F)), 1.F * unit);
@@ -97,7 +97,7 @@ TEST(RelativeImportance, IsEvenForAnEvenPictureUpToTheBorder) {
   }
 }
 
-TEST(RelativeImportance, BearsFirefliesAndWhatIsNotANumber) {
+TEST(RelativeImportance, IsRobustToFirefliesAndNan) {
   std::vector<float> luminances(32 * 32, 1.F);
   luminances[500] = 1e30F;
   luminances[100] = std::nanf("");

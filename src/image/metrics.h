@@ -28,10 +28,10 @@ double smape(std::span<const float> image, std::span<const float> reference);
 inline constexpr double kRelativeMseEpsilon = 0.01;
 /// Mean of (a − r)²/(r² + 0.01).
 double relative_mse(std::span<const float> image, std::span<const float> reference);
-/// The same without the `trim` (fraction, rounded down to whole pixels) pixels of largest error, so
-/// that a few fireflies do not decide. The error of a pixel is the mean over its `channels` values,
-/// which lie side by side; a pixel whose error is no number counts as largest. Raises
-/// std::invalid_argument if the values are not whole pixels.
+/// Relative MSE without the `trim` (fraction, rounded down to whole pixels) pixels of largest
+/// error, so that a few fireflies do not decide. The error of a pixel is the mean over its
+/// `channels` values, which lie side by side; a pixel whose error is no number counts as largest.
+/// Raises std::invalid_argument if the values are not whole pixels.
 double relative_mse_trimmed(std::span<const float> image, std::span<const float> reference,
                             int channels = 3, double trim = 0.001);
 /// The error of a pixel (as above) that a share `below` of the pixels does not exceed: what a
@@ -39,7 +39,7 @@ double relative_mse_trimmed(std::span<const float> image, std::span<const float>
 double relative_mse_quantile(std::span<const float> image, std::span<const float> reference,
                              double below = 0.999, int channels = 3);
 /// Error by scale E_σ: relMSE of picture and reference after a Gaussian of `sigma` pixels
-/// (`blurred`). Independent noise falls with σ, what hangs together does not. Raises
+/// (`blurred`). Independent noise falls with σ, correlated noise does not. Raises
 /// std::invalid_argument if the images have not `size`.
 double relative_mse_at_scale(std::span<const float> image, std::span<const float> reference,
                              Vec2i size, double sigma);

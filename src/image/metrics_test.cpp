@@ -57,7 +57,7 @@ TEST(Metrics, TrimmingWithOneChannelDropsValues) {
 TEST(Metrics, QuantileIsThatOfThePixels) {
   std::vector<float> image(3 * 2001, 1.F);
   const std::vector<float> reference(image.size(), 1.F);
-  // Of 2001 errors it is number 1998, counted from 0: two are above it.
+  // Sorted error number 1998 of 2001, counted from 0: two are above it.
   image[3 * 17] = 4.F;
   image[3 * 18] = 4.F;
   image[3 * 900] = 2.F;
@@ -65,7 +65,7 @@ TEST(Metrics, QuantileIsThatOfThePixels) {
   EXPECT_EQ(relative_mse_quantile(image, reference, 0.5), 0.0);
 }
 
-TEST(Metrics, ErrorByScaleForgetsWhatABlurForgets) {
+TEST(Metrics, ErrorByScaleIgnoresBlurredDetail) {
   constexpr Vec2i kSize{64, 64};
   const std::vector<float> reference(std::size_t{3} * 64 * 64, 1.F);
   std::vector<float> chequered = reference;
@@ -87,7 +87,7 @@ TEST(Metrics, TrimmingLeavesFewPixelsAsTheyAre) {
   EXPECT_NEAR(relative_mse_trimmed(kImage, kReference, 2), relative_mse(kImage, kReference), 1e-12);
 }
 
-TEST(Metrics, DoNotHideWhatIsNoNumber) {
+TEST(Metrics, PropagateNan) {
   EXPECT_TRUE(
       std::isnan(mse(std::vector<float>{std::nanf(""), 1.F}, std::vector<float>{1.F, 1.F})));
 }

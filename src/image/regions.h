@@ -8,8 +8,8 @@
 
 namespace ajar {
 
-/// What a pixel shows: numbers of a shape and of its material as in the layers "object-id" and
-/// "material-id", from 1; 0 is "nothing there".
+/// Shape and material seen by a pixel: numbers as in the layers "object-id" and "material-id", from
+/// 1; 0 is "nothing there".
 struct PixelIdentity {
   std::uint32_t object = 0;
   std::uint32_t material = 0;
@@ -20,14 +20,14 @@ struct PixelIdentity {
 struct Regions {
   Vec2i size{0, 0};
   std::vector<std::uint32_t> labels;        ///< region of each pixel, row by row
-  std::vector<PixelIdentity> identities;    ///< what each region shows
-  std::vector<std::uint32_t> pixel_counts;  ///< of each region; above 0
+  std::vector<PixelIdentity> identities;    ///< identity of each region
+  std::vector<std::uint32_t> pixel_counts;  ///< size of each region; above 0
   std::size_t count() const { return identities.size(); }
 };
 
 /// Regions: connected sets of pixels that show the same object with the same material, numbered
-/// from 0 in the order in which their first pixels come, row by row. What shows nothing forms
-/// regions like anything else.
+/// from 0 in the order in which their first pixels come, row by row. Background pixels form
+/// regions, too.
 ///
 /// Pixels are connected through their edges, not their corners: two surfaces can cross at a corner,
 /// and each would be in one piece there while cutting the other; and what touches in a point alone

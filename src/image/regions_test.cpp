@@ -43,7 +43,7 @@ TEST(Regions, DoNotConnectAroundTheBorder) {
   EXPECT_EQ(regions_of("aba aba").labels, (Labels{0, 1, 2, 0, 1, 2}));
 }
 
-TEST(Regions, JoinWhatMeetsFurtherDown) {
+TEST(Regions, JoinBranchesThatMeetFurtherDown) {
   // The arms of a U and of a W are met before what joins them; a spiral is one region.
   EXPECT_EQ(regions_of("aba aaa").labels, (Labels{0, 1, 0, 0, 0, 0}));
   EXPECT_EQ(regions_of("ababa aaaaa").count(), 3U);
@@ -56,13 +56,13 @@ TEST(Regions, OfOneRowOrColumn) {
   EXPECT_EQ(regions_of("a").labels, (Labels{0}));
 }
 
-TEST(Regions, OfWhatShowsNothingAreRegionsToo) {
+TEST(Regions, OfBackgroundAreRegionsToo) {
   const Regions regions = regions_of(".a. .a.");
   EXPECT_EQ(regions.labels, (Labels{0, 1, 2, 0, 1, 2}));
   EXPECT_EQ(regions.identities[0], PixelIdentity());
 }
 
-TEST(Regions, TellMaterialsOfAnObjectApart) {
+TEST(Regions, SeparateMaterialsOfAnObject) {
   const std::vector<PixelIdentity> identities = {{1, 1}, {1, 2}, {2, 2}, {2, 2}};
   EXPECT_EQ(connected_regions(Vec2i(4, 1), identities).labels, (Labels{0, 1, 2, 2}));
 }

@@ -47,10 +47,10 @@ std::vector<double> errors_of_pixels(std::span<const float> errors, std::span<co
   return of_pixels;
 }
 
-/// The guess, but nowhere less than the picture itself around a pixel: what rare paths bring is in
-/// no median, and a pixel of which one replicate has a firefly would count as black but for it.
-std::vector<float> bright_guess(std::vector<float> truth, std::span<const float> picture,
-                                Vec2i size) {
+/// The estimate, but nowhere less than the picture itself around a pixel: rare paths are in no
+/// median, and a pixel of which one replicate has a firefly would count as black.
+std::vector<float> brightened(std::vector<float> truth, std::span<const float> picture,
+                              Vec2i size) {
   std::vector<Plane> around = planes_of(size, picture);
   const SeparableKernel kernel = box_kernel(ImageHeuristics::kAroundFirefly);
   for (Plane& channel : around) channel = filter_plane(channel, kernel);
@@ -117,7 +117,7 @@ std::optional<double> relative_error(std::span<const float> picture, std::span<c
 std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2i size) {
   const std::vector<float> errors = standard_error(replicates);
   const std::vector<float> picture = replicate_mean(replicates);
-  std::vector<float> truth = guess_truth(std::move(replicates), size);
+  std::vector<float> truth = smoothed_reference(std::move(replicates), size);
   const std::vector<double> of_pixels = errors_of_pixels(errors, truth);
   if (of_pixels.empty()) return std::nullopt;
   RelativeError found{};
@@ -132,14 +132,13 @@ std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2
   found.has_fireflies = found.places < fewest;
   found.half_of_it = share_that_makes_half(of_pixels);
   if (found.has_fireflies) {
-    found.value =
-        root_mean(errors_of_pixels(errors, bright_guess(std::move(truth), picture, size)));
+    found.value = root_mean(errors_of_pixels(errors, brightened(std::move(truth), picture, size)));
   }
   return found;
 }
 
 std::vector<ErrorAtScale> estimate_errors_by_scale(const Replicates& replicates, Vec2i size) {
-  const std::vector<float> truth = guess_truth(replicates, size);
+  const std::vector<float> truth = smoothed_reference(replicates, size);
   std::vector<ErrorAtScale> found;
   for (const double sigma : kErrorScales) {
     const std::vector<double> of_pixels = errors_of_pixels(

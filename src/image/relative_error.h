@@ -19,29 +19,29 @@ namespace ajar {
 /// lamps; floored, because dark pixels would have infinite relative error; the floor hangs on the
 /// median, because it must depend neither on the units of the scene nor on the lamps.
 ///
-/// Of a picture whose truth t is known: all have the same number of values, else
+/// Error of a picture with known reference t: all have the same number of values, else
 /// std::invalid_argument; nullopt if t is black.
 std::optional<double> relative_error(std::span<const float> picture, std::span<const float> truth);
 
-/// The same without a reference: (x − t)² is estimated by the squared standard error of replicates,
-/// and t by `guess_truth`.
+/// Estimate without a reference: (x − t)² is estimated by the squared standard error of replicates,
+/// and t by `smoothed_reference`.
 struct RelativeError {
-  /// If `has_fireflies`, what it is at least: against a guess of the truth that is nowhere darker
-  /// than the picture around.
+  /// A lower bound if `has_fireflies`: relative to a reference that is nowhere darker than the
+  /// picture around.
   double value = 0.0;
   /// Over how many places of 4×4 pixels the squared error is spread: (Σ e)² / Σ e².
   double places = 0.0;
   /// The least number of pixels that make half of the squared error, as a share of all.
   double half_of_it = 0.0;
-  /// So few places decide that the next path may be as strong as all that were found.
+  /// True if so few places dominate that the next path may be as strong as all so far.
   bool has_fireflies = false;
   /// There is light that the method cannot see, however long it renders. (For the caller to say.)
   bool misses_light = false;
   bool is_lower_bound() const { return has_fireflies || misses_light; }
 };
-/// Of a picture of `size` pixels (3 values each, rows from the top); needs R ≥ 2 replicates of
-/// that size, else std::invalid_argument. Nullopt if it is black: then nothing is known. It cannot
-/// know of light that no sample has found.
+/// Estimates the error of a picture of `size` pixels (3 values each, rows from the top); needs R ≥
+/// 2 replicates of that size, else std::invalid_argument. Nullopt if it is black. Light that no
+/// sample has found is not counted.
 std::optional<RelativeError> estimate_relative_error(Replicates replicates, Vec2i size);
 struct ErrorAtScale {
   double sigma;  ///< pixels
@@ -49,11 +49,11 @@ struct ErrorAtScale {
 };
 /// Pixels.
 inline constexpr std::array<double, 4> kErrorScales = {1.0, 2.0, 4.0, 8.0};
-/// By scale: the same of the picture after Gaussians of `kErrorScales`. Noise that is
-/// independent from pixel to pixel falls with the scale; what hangs together (clumps of chains)
-/// does not, and no filter takes it away. Raises as above; empty if the picture is black.
+/// By scale: the error of the picture after Gaussians of `kErrorScales`. Noise that is independent
+/// from pixel to pixel falls with the scale; correlated noise (clumps of chains) does not, and no
+/// filter removes it. Raises as above; empty if the picture is black.
 std::vector<ErrorAtScale> estimate_errors_by_scale(const Replicates& replicates, Vec2i size);
-/// What the estimates take at most, bytes per pixel.
+/// Peak memory of the estimates, bytes per pixel.
 std::uint64_t error_estimate_bytes(int replicates);
 
 }  // namespace ajar

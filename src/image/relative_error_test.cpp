@@ -126,7 +126,7 @@ TEST(RelativeError, OfFewFirefliesIsABound) {
   EXPECT_LE(too_high, bounds / 20);
 }
 
-TEST(RelativeError, SaysWhenFewPlacesDecide) {
+TEST(RelativeError, FlagsErrorsDominatedByFewPixels) {
   Replicates replicates = noisy(room(), [generator = std::mt19937(1)]() mutable {
     return std::normal_distribution<double>(1.0, 0.1)(generator);
   });
@@ -207,7 +207,7 @@ TEST(RelativeError, ByScaleIsTrueForNoiseAndForClumps) {
     }
     // A picture has 48 clumps, so the mean of 16 ratios has a standard error of about 0.05.
     for (const double ratio : ratios) EXPECT_NEAR(ratio, 1.0, 0.15);
-    // What is independent falls with the scale, what hangs together stays up to its size.
+    // Independent errors fall with the scale, correlated ones stay up to its size.
     EXPECT_EQ(estimated[2] < 0.4 * estimated[0], spoil == noisy);
     EXPECT_EQ(estimated[2] > 0.6 * estimated[0], spoil == clumpy);
   }
@@ -253,7 +253,7 @@ TEST(RelativeError, NeedsTwoReplicatesOfThePicturesSize) {
                std::invalid_argument);
 }
 
-/// Values that nobody has ever seen must neither crash nor hang.
+/// Values without a precedent must neither crash nor hang.
 TEST(RelativeError, EndsWithHugeValues) {
   Replicates replicates(kReplicates, room());
   replicates[1][300] = 3e38F;

@@ -15,22 +15,22 @@ namespace ajar {
 
 namespace {
 
-/// Relative to the median: squares of what is brighter might not be finite.
+/// Relative to the median: squares of brighter values might not be finite.
 constexpr double kMost = 1e17;
 
 float square(float value) { return value * value; }
 float gray(const float* rgb) { return (rgb[0] + rgb[1] + rgb[2]) / 3.F; }
 
-/// Of the mean of some numbers.
+/// Mean of some numbers and its variance.
 struct Spread {
   float mean;
   float variance;
 };
 
-class TruthGuess {
+class ReplicateSmoother {
  public:
   /// `level`: in whose units it calculates.
-  TruthGuess(const Replicates& replicates, Vec2i size, double level)
+  ReplicateSmoother(const Replicates& replicates, Vec2i size, double level)
       : width_(size.x),
         height_(size.y),
         count_(replicates.size()),
@@ -99,7 +99,7 @@ class TruthGuess {
     return all;
   }
 
-  /// Of two, the lower.
+  /// Lower median of an even number.
   std::vector<float> medians() const {
     std::vector<float> all(kChannels * pixels());
     std::vector<float> values(count_);
@@ -137,7 +137,7 @@ class TruthGuess {
     return most;
   }
 
-  /// Of all replicates but one, if there is one of that number.
+  /// Mean over all replicates but one, if there is one of that number.
   Spread spread_of(std::size_t pixel, std::size_t without) const {
     const auto n = static_cast<float>(without < count_ ? count_ - 1 : count_);
     float mean = 0.F;
@@ -162,7 +162,7 @@ class TruthGuess {
     return row;
   }
 
-  /// Of the pixels of a row, the 3×3 around each, compared with those around another.
+  /// Differences of the 3×3 patches around the pixels of a row from those around others.
   class PatchRow {
    public:
     explicit PatchRow(int width)
@@ -171,7 +171,7 @@ class TruthGuess {
       std::fill(difference_.begin(), difference_.end(), 0.F);
       std::fill(expected_.begin(), expected_.end(), 0.F);
     }
-    /// Of the columns of three pixels; those outside of the picture, at -1 and the width, are 0.
+    /// Sums over columns of three pixels; those outside of the picture, at -1 and the width, are 0.
     float* difference() { return difference_.data() + 1; }
     float* expected() { return expected_.data() + 1; }
     bool look_the_same(int x) const {
@@ -216,19 +216,19 @@ class TruthGuess {
   std::vector<float> noise_;  ///< variances of the patterns
 };
 
-/// How much brighter a picture is than a guess of it: each pixel relative to its guess, so that
+/// Ratio of a picture's brightness to a smoothed one's: each pixel relative to the latter, so that
 /// lamps do not decide.
-double gain_over(std::span<const float> guess, std::span<const float> picture) {
-  const double level = median_lit(guess);
+double gain_over(std::span<const float> smoothed, std::span<const float> picture) {
+  const double level = median_lit(smoothed);
   if (level == 0.0) return 1.0;
-  double of_guess = 0.0;
+  double of_smoothed = 0.0;
   double of_picture = 0.0;
-  for (std::size_t i = 0; i < guess.size(); ++i) {
-    const double weight = 1.0 / (std::abs(double{guess[i]}) + level);
-    of_guess += weight * double{guess[i]};
+  for (std::size_t i = 0; i < smoothed.size(); ++i) {
+    const double weight = 1.0 / (std::abs(double{smoothed[i]}) + level);
+    of_smoothed += weight * double{smoothed[i]};
     of_picture += weight * double{picture[i]};
   }
-  return of_guess > 0.0 && of_picture > 0.0 ? of_picture / of_guess : 1.0;
+  return of_smoothed > 0.0 && of_picture > 0.0 ? of_picture / of_smoothed : 1.0;
 }
 
 /// Edges of lamps are in one replicate of a few samples, and in no median: no pixel is darker than
@@ -238,7 +238,7 @@ class BrightEdges {
   BrightEdges(const std::vector<bool>& quiet, std::span<const float> picture, Vec2i size)
       : quiet_(quiet), picture_(picture), size_(size) {}
 
-  /// What a value is at least.
+  /// Lower bound of a value.
   float least(int x, int y, std::size_t channel) const {
     float most = 0.F;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size_.y - 1); ++v) {
@@ -263,20 +263,21 @@ class BrightEdges {
 
 }  // namespace
 
-std::vector<float> guess_truth(Replicates replicates, Vec2i size) {
+std::vector<float> smoothed_reference(Replicates replicates, Vec2i size) {
   const auto values =
       kChannels * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   const auto fits = [&](const std::vector<float>& image) { return image.size() == values; };
   if (replicates.size() < 2 || !std::all_of(replicates.begin(), replicates.end(), fits)) {
-    throw std::invalid_argument("guess_truth: needs two replicates or more of the picture's size");
+    throw std::invalid_argument(
+        "smoothed_reference: needs two replicates or more of the picture's size");
   }
   const double level = median_lit(replicates.front());
-  TruthGuess guess(replicates, size, level > 0.0 ? level : 1.0);
+  ReplicateSmoother smoother(replicates, size, level > 0.0 ? level : 1.0);
   const std::vector<float> mean = replicate_mean(replicates);
   replicates = {};
-  const std::vector<bool> quiet = guess.quiet();
-  for (const int stride : ImageHeuristics::kGuessStrides) guess.average(stride);
-  std::vector<float> medians = guess.medians();
+  const std::vector<bool> quiet = smoother.quiet();
+  for (const int stride : ImageHeuristics::kSmoothingStrides) smoother.average(stride);
+  std::vector<float> medians = smoother.medians();
   const double gain = gain_over(medians, mean);
   const BrightEdges edges(quiet, mean, size);
   parallel_for(size.y, [&](int y) {

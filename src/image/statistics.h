@@ -38,7 +38,7 @@ double median_lit(std::span<const float> values);
 struct Estimate {
   double value;
   double standard_error;
-  int degrees_of_freedom;  ///< of the error bar
+  int degrees_of_freedom;  ///< degrees of freedom of the error bar
 };
 /// Mean of all values of the image. Its error comes from the replicates' own means, so that
 /// correlation between pixels (splats, chains) is accounted for.

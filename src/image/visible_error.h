@@ -1,13 +1,12 @@
 #pragma once
 #include <span>
 
-/// What an error in a pixel is to the eye, and how to spend time so that the mean of it over a
-/// picture's pixels is smallest.
+/// Visibility of errors, and the allocation of time that makes its mean over a picture's pixels
+/// smallest.
 ///
-/// A squared error is decided by the few worst pixels: those around a path that was found once.
-/// What it takes to make them a little better, all others pay for, with noise that can be seen
-/// everywhere. FLIP (Andersson et al. 2020) takes differences of colours to the power of 0.7, and
-/// so is σ^0.7 what an error σ counts for here.
+/// The mean squared error depends on the few worst pixels: those around a path that was found once.
+/// Reducing it a little costs all others noise that can be seen everywhere. FLIP (Andersson et al.
+/// 2020) takes differences of colours to the power of 0.7, hence σ^0.7 for an error σ here.
 namespace ajar {
 
 /// σ^0.7 for σ².
@@ -15,8 +14,8 @@ double visible_error(double variance);
 /// The inverse.
 double variance_of(double visible_error);
 
-/// How many samples a part of the picture deserves in which one sample leaves `visible_error`s of
-/// this mean, but for a factor that all parts have: n samples leave (σ²/n)^0.35.
+/// Samples for a part of the picture in which one sample leaves `visible_error`s of this mean, up
+/// to a common factor: n samples leave (σ²/n)^0.35.
 double samples_for(double mean_visible_error);
 
 /// Mutations per sample of the whole picture, among `lowest`, `lowest`·√2, … up to `highest`, that

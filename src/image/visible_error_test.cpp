@@ -69,7 +69,7 @@ TEST(VisibleError, IsNotDecidedByTheWorstPixel) {
   expect_near(found, slowly_found_ratio({99.0, 1.0}, {1.0, 1.0}, {0.0, 1e4}, 1.0, 1.0, 1.0));
 }
 
-TEST(VisibleError, OfTwoPartsIsLeastWithTheSamplesTheyDeserve) {
+TEST(VisibleError, OfTwoPartsIsLeastWithSamplesFor) {
   // The first has a third of the pixels.
   const double first = 1.0;
   const double second = 9.0;
@@ -88,7 +88,7 @@ TEST(VisibleError, StaysWithinItsBounds) {
   EXPECT_LE(best_ratio({0.0, 0.0}, {1.0, 1.0}, 1.0, 1e18), kHighest);
 }
 
-TEST(VisibleError, RefusesWhatMakesNoSense) {
+TEST(VisibleError, RefusesInvalidInput) {
   const std::vector<double> one = {1.0};
   const std::vector<double> two = {1.0, 1.0};
   EXPECT_THROW(best_ratio(one, two), std::invalid_argument);

@@ -51,7 +51,7 @@ struct Candidate {
   int count = 1;
   Kind kind = Kind::Other;
   bool is_in_layer = false;
-  bool is_part_of_picture = false;  ///< of a layer that is not known to be the whole
+  bool is_part_of_picture = false;  ///< part of a layer that is not known to be the whole
 
   bool is_picture() const { return kind <= Kind::Coordinates; }
   auto order() const {
@@ -115,7 +115,7 @@ ColorChannels color_channels(const std::vector<std::string>& names) {
   ColorChannels result;
   if (names.empty()) return result;
   Candidate best = candidate_at(names, 0);
-  int rivals = 0;  // that are as good
+  int rivals = 0;  // number of equally good candidates
   for (std::size_t i = 1; i < names.size(); ++i) {
     const Candidate other = candidate_at(names, i);
     if (other.order() < best.order()) {

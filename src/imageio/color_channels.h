@@ -6,14 +6,14 @@
 
 namespace ajar {
 
-/// Which channels of an image are the picture.
+/// Choice of the channels of an image that are the picture.
 struct ColorChannels {
   int first = 0;
   int count = 1;   ///< 1 (grey), or 3 one after the other
   int alpha = -1;  ///< -1: there is none
   /// Says which were taken, where others are as likely to be meant; else empty.
   std::string remark;
-  /// How far they are from what every program takes for the picture: 0 for R, G, B, or Y.
+  /// Distance from the usual names of the picture: 0 for R, G, B, or Y.
   int doubt = 0;
 };
 
@@ -29,7 +29,7 @@ bool comes_before(const std::string& channel, const std::string& other);
 /// "diffuse." of "diffuse.R"; "" of "R".
 std::string_view prefix_of_channel(std::string_view channel);
 
-/// Whether a layer or part of that name is the picture as a whole, by the habits of programs.
+/// True if the layer or part of that name is the picture as a whole, by the habits of programs.
 bool is_whole_picture(std::string_view layer);
 
 }  // namespace ajar

@@ -61,14 +61,14 @@ std::optional<std::uint64_t> fixed_size(std::string_view type) {
   return static_cast<std::uint64_t>(found->second);
 }
 
-/// What a part of the file claims to hold.
+/// Claims of a part of the file.
 struct Part {
   std::int64_t width = 0;
   std::int64_t rows = 0;
   int compression = 0;          ///< the format's number for it
   std::int64_t tile_width = 0;  ///< 0: rows, not tiles
   std::int64_t tile_height = 0;
-  double pixel_bytes = 0.0;  ///< of all channels
+  double pixel_bytes = 0.0;  ///< size over all channels
 
   void read_window(Cursor& cursor) {
     std::array<std::int64_t, 4> box{};
@@ -93,10 +93,10 @@ struct Part {
   }
 };
 
-/// How one of the format's ways to pack pixels may be used at most.
+/// Limits of one of the format's compressions.
 struct Packing {
-  double bytes_per_byte;  ///< that a byte of the file can stand for
-  std::int64_t rows;      ///< that are packed together
+  double bytes_per_byte;  ///< largest expansion of a byte of the file
+  std::int64_t rows;      ///< rows that are packed together
 };
 /// Bounds: runs stand for at most 127 bytes with two, deflate makes at most 1032 bytes of one, and
 /// leaves out every fourth of a PXR24 number; PIZ packs 256 numbers of two bytes into ten bits;

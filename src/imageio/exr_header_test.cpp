@@ -45,7 +45,7 @@ std::string colours() {
 class ExrHeader : public ::testing::Test {
  protected:
   void TearDown() override { fs::remove(path_); }
-  /// Of a file with these attributes and some pixels.
+  /// Error of a file with these attributes and some pixels.
   std::string complaint(const std::string& attributes, std::uint32_t flags = 2) {
     std::ofstream file(path_, std::ios::binary | std::ios::trunc);
     file << number(20000630) << number(flags) << attributes << '\0' << std::string(100, 'x');
@@ -84,7 +84,7 @@ TEST_F(ExrHeader, MoreRowsThanBytesCouldHoldAreTold) {
   EXPECT_NE(complaint(window(0x7ffffffe)).find("8x2147483647 pixels"), std::string::npos);
 }
 
-/// The same pixels fit or do not fit by how they are packed: 250 bytes hold 41 raw pixels.
+/// Packing decides whether pixels fit: 250 bytes hold 41 raw pixels.
 TEST_F(ExrHeader, MorePixelsThanBytesCouldHoldAreTold) {
   constexpr char kNone = 0, kRuns = 1, kZip = 3, kDwab = 9;
   const auto complains = [&](char compression, std::uint32_t width) {

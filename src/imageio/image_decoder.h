@@ -20,9 +20,9 @@ class ImageDecoder {
   const ImageHeader& header() const { return header_; }
   /// More pixels cannot be packed into a byte of the file.
   virtual double most_pixels_per_byte() const = 0;
-  /// Of a pixel with all its channels, as the decoder keeps it.
+  /// Size of a pixel with all its channels, as the decoder keeps it.
   virtual std::uint64_t pixel_bytes() const = 0;
-  /// Whether it is read row by row, or block by block; else it is made as a whole.
+  /// True if it is read row by row, or block by block; else as a whole.
   virtual bool is_read_in_parts() const = 0;
   /// What is taken at most while rows are turned into what is asked for.
   virtual std::uint64_t working_bytes() const = 0;

@@ -14,9 +14,10 @@ namespace ajar {
 struct ImageLayout {
   int width = 0;
   int height = 0;
-  std::vector<std::string> names;  ///< of the channels
-  Vec2i origin{0, 0};              ///< of the first pixel in the whole picture; only EXR has both
-  Vec2i resolution{0, 0};          ///< of the whole picture
+  std::vector<std::string> names;  ///< names of the channels
+  Vec2i origin{0, 0};              ///< place of the first pixel in the whole picture; only EXR has
+                                   ///< both
+  Vec2i resolution{0, 0};          ///< size of the whole picture
   std::map<std::string, std::string> texts;  ///< where the format has room for them
 };
 
@@ -32,7 +33,7 @@ std::vector<unsigned char> encode_hdr(const ImageLayout& layout, const RowSource
 /// Channels R, G, B as they are shown, and A if there are four.
 std::vector<unsigned char> encode_png(const ImageLayout& layout,
                                       const RowSource<unsigned char>& row);
-/// Likewise, quality 95.
+/// Encodes as JPEG, quality 95.
 std::vector<unsigned char> encode_jpeg(const ImageLayout& layout,
                                        const RowSource<unsigned char>& row);
 

@@ -13,13 +13,13 @@ struct Image {
   int width = 0;
   int height = 0;
   int channels = 0;
-  std::vector<std::string> names;  ///< of the channels, e.g. "R", "G", "B", "albedo.R"
+  std::vector<std::string> names;  ///< names of the channels, e.g. "R", "G", "B", "albedo.R"
   std::vector<float> data;
   Vec2i origin{0, 0};      ///< full-image coordinates of the first pixel (EXR data window)
-  Vec2i resolution{0, 0};  ///< of the full image (EXR display window)
+  Vec2i resolution{0, 0};  ///< size of the full image (EXR display window)
   /// 8- or 16-bit files: values are display-encoded (integer / maximum), not linear.
   bool is_display_encoded = false;
-  /// What Ajar wrote of the render (`to_metadata`), names without their "ajar:".
+  /// Ajar's metadata of the render (`to_metadata`), names without their "ajar:".
   std::map<std::string, std::string> metadata;
 
   float at(int x, int y, int channel) const;
@@ -36,7 +36,7 @@ Image read_image(const std::string& path);
 /// called before a long render.
 void check_image_extension(const std::string& path);
 
-/// Whether a file of this name holds display values: `.png`, `.jpg`, `.jpeg`.
+/// True for names of files with display values: `.png`, `.jpg`, `.jpeg`.
 bool is_display_file(const std::string& path);
 
 /// Writes `.exr` (scene-linear, all layers), `.pfm`, `.hdr` (scene-linear, first layer), `.png`,

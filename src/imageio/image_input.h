@@ -34,7 +34,7 @@ class ImageInput {
   std::vector<T> read(int channels, std::uint64_t extra_bytes = 0) {
     return read_from<T>(0, channels, extra_bytes);
   }
-  /// The same from channel `first_channel` on.
+  /// Reads from channel `first_channel` on.
   template <typename T>
   std::vector<T> read_from(int first_channel, int channels, std::uint64_t extra_bytes = 0) {
     check_memory(bytes(channels, sizeof(T)) + decoder_->working_bytes() + extra_bytes);

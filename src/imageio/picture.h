@@ -19,7 +19,7 @@ struct Picture {
     std::vector<float> pixels;  ///< scene-linear unless said otherwise, row by row, crop only,
                                 ///< channels interleaved
   };
-  Vec2i resolution{0, 0};     ///< of the full image
+  Vec2i resolution{0, 0};     ///< size of the full image
   Box2i crop;                 ///< inclusive; the pixels that exist
   std::vector<Layer> layers;  ///< the first is the picture
   std::map<std::string, std::string> metadata;
@@ -43,7 +43,7 @@ inline const Picture::Layer* layer_named(const Picture& picture, const std::stri
   return found == picture.layers.end() ? nullptr : &*found;
 }
 
-/// How opaque its pixels are; null if that is not known. (A layer of colours may have that name.)
+/// Alpha of its pixels; null if unknown. (A layer of colours may have that name.)
 inline const Picture::Layer* alpha_of(const Picture& picture) {
   const auto found =
       std::find_if(picture.layers.begin(), picture.layers.end(), [&](const Picture::Layer& layer) {
@@ -52,8 +52,7 @@ inline const Picture::Layer* alpha_of(const Picture& picture) {
   return found == picture.layers.end() ? nullptr : &*found;
 }
 
-/// What the eye is to see of a picture: its layer without noise or, if there is none, the picture
-/// itself.
+/// Displayed layer of a picture: the denoised one or, if there is none, the picture itself.
 inline const Picture::Layer& shown_layer(const Picture& picture) {
   const Picture::Layer* const denoised = layer_named(picture, kDenoisedLayer);
   return denoised == nullptr ? picture.layers.front() : *denoised;

@@ -8,8 +8,8 @@
 
 namespace ajar {
 
-/// Serves files that are not on the disk (built-in scenes); empty for files it does not know. What
-/// it returns must stay valid while the scene is imported.
+/// Serves files that are not on the disk (built-in scenes); empty for unknown files. Its results
+/// must stay valid while the scene is imported.
 using FileProvider = std::function<std::optional<std::string_view>(const std::string& path)>;
 
 }  // namespace ajar

@@ -21,25 +21,25 @@ struct Format {
   /// if the scene cannot be used, IoError if `path` cannot be read.
   desc::SceneDesc (*read)(const std::string& path, Warnings& warnings,
                           const FileProvider& provider);
-  /// The same with values for what scenes of the format leave open. Raises SceneError, too, for
-  /// names that this scene does not have. Null: the format has no such thing.
+  /// Reads with values for parameters that scenes of the format leave open. Raises SceneError, too,
+  /// for names that this scene does not have. Null: the format has no such thing.
   desc::SceneDesc (*read_defined)(const std::string& path, Warnings& warnings,
                                   const FileProvider& provider,
                                   const SceneDefinitions& definitions) = nullptr;
   /// Writes a scene such that reading it gives a description of equal `desc::hash` (embedded files
   /// become files, and have another name then). Each file is written as a whole or not at all,
-  /// `path` last. Returns what other programs that read the format do not know of it, as people are
-  /// told; empty if they know all. Raises IoError. Null: the format is only read.
+  /// `path` last. Returns a message on parts unknown to other programs that read the format; empty
+  /// if there are none. Raises IoError. Null: the format is only read.
   std::string (*write)(const desc::SceneDesc& scene, const std::string& path) = nullptr;
 };
 
 /// Every format there is, sorted by folder.
 const std::vector<Format>& formats();
 
-/// The format of a file, told by its extension. Raises SceneError, which lists the extensions, if
-/// there is none.
+/// The format of a file, by its extension. Raises SceneError, which lists the extensions, if there
+/// is none.
 const Format& format_of(const std::string& path);
-/// The same for a file to be written. Raises UsageError.
+/// Format of a file to be written. Raises UsageError.
 const Format& format_to_write(const std::string& path);
 
 /// "one (.one), other (.abc, .xyz)": those that can be written, for help.

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Formats, AreToldByExtensionsOfTheirOwn) {
+TEST(Formats, AreRecognisedByTheirExtensions) {
   ASSERT_FALSE(formats().empty());
   std::set<std::string> names;
   std::set<std::string> extensions;
@@ -93,7 +93,7 @@ desc::SceneDesc small_scene() {
   return scene;
 }
 
-TEST(Formats, ThatAreWrittenAreReadBackAsTheSameScene) {
+TEST(Formats, RoundTripTheSameScene) {
   const TemporaryFolder folder;
   const desc::SceneDesc scene = small_scene();
   for (const Format& format : formats()) {

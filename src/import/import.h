@@ -9,10 +9,10 @@
 
 namespace ajar {
 
-/// Reads a scene file of any format we know (`format.h`), told by its extension. Raises SceneError
-/// if the extension is none of ours or the scene cannot be used, IoError if the file cannot be
-/// read. `definitions` give a value to what the scene leaves open; a UsageError if its format has
-/// no such thing.
+/// Reads a scene file of any known format (`format.h`), by its extension. Raises SceneError if the
+/// extension is unknown or the scene cannot be used, IoError if the file cannot be read.
+/// `definitions` give values to parameters of the scene; a UsageError if its format has no such
+/// thing.
 desc::SceneDesc import_scene(const std::string& path, Warnings& warnings,
                              const FileProvider& provider = {},
                              const SceneDefinitions& definitions = {});

@@ -4,7 +4,7 @@
 
 namespace ajar {
 
-/// Values, by name, for what a scene leaves open to whoever renders it, such as `$name` in files of
+/// Values, by name, of parameters that a scene leaves to the user, such as `$name` in files of
 /// Mitsuba.
 using SceneDefinitions = std::map<std::string, std::string>;
 

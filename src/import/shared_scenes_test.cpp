@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(All, SharedMesh,
                                            "teapot-full/models/Mesh001.ply",
                                            "water-caustic/models/Mesh001.ply"));
 
-TEST(SharedScenes, LoadWhateverTheirVersion) {
+TEST(SharedScenes, LoadInEitherVersion) {
   if (!fs::exists(shared_scenes_folder())) GTEST_SKIP() << kNoSharedScenes;
   int loaded = 0;
   for (const fs::directory_entry& entry :
@@ -103,7 +103,8 @@ TEST(SharedScenes, LoadWhateverTheirVersion) {
   EXPECT_GT(loaded, 0);
 }
 
-/// Without what the two versions of a scene cannot say alike: coats, and the name of the picture.
+/// Without the parts that differ between the two versions of a scene: coats, and the name of the
+/// picture.
 desc::SceneDesc without_version(desc::SceneDesc scene) {
   for (desc::Material& material : scene.materials) {
     if (material.node.is("coated_diffuse")) material.node = desc::material_node("mirror");

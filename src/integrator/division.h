@@ -6,31 +6,31 @@
 
 #include "image/importance_map.h"
 #include "image/pixel_at.h"
-#include "integrator/path_part.h"
+#include "integrator/chain_weight.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
 
-/// The film's layer of what ordinary Monte Carlo leaves in the picture of divided light.
+/// The film's layer of ordinary Monte Carlo's part of divided light.
 inline const std::string kWeakLayer = "indirect-weak";
-/// What it finds of the rest, which chains make: another estimate of their layer.
+/// The film's layer of its samples of the chains' part: another estimate of their layer.
 inline const std::string kStrongLayer = "indirect-strong";
 
 /// How the long paths of a pixel are divided.
-struct PixelShare {
+struct PixelDivision {
   /// T: of what a technique brings, chains make the part above, in the units of radiance ·
   /// importance. 0: all of it.
   float threshold = 0.F;
   /// σ, by which the chains' target is multiplied. 0 leaves everything to ordinary Monte Carlo.
   float target = 1.F;
-  /// What the picture takes from chains instead of σ: the same, unless one method alone makes a
-  /// pixel. 0 where σ is 0.
+  /// Scale of the chains' deposits in the picture, in place of σ: equal to it, unless one method
+  /// alone makes a pixel.
   float kept = 1.F;
 };
 
-/// How ordinary Monte Carlo and Markov chains share the light of long paths, path by path: the
-/// estimator of `selective`, in five lines. x₁ … x_n are what camera samples find, y₁ … y_N the
-/// states of chains:
+/// Division of the light of long paths between ordinary Monte Carlo and Markov chains, path by
+/// path: the estimator of `selective`, in five lines. x₁ … x_n are the paths of camera samples, y₁
+/// … y_N the states of chains:
 ///
 ///     g(x) = luminance(F(x)) · importance         of F = f/p · MIS weight, as a technique finds it
 ///     w(x) = σ · g / (T + g)                      the chains' part
@@ -38,9 +38,9 @@ struct PixelShare {
 ///     b    = 1/n Σ g(xᵢ) w(xᵢ)                    of the same samples, which also start the chains
 ///     T    : least X(T)/n + C·b(T)²/N             for n·c_s + N·c_m rays (optimal_thresholds.h)
 ///
-/// X is the variance of a sample with what is left to it, C how many times worse a mutation is than
-/// an independent sample of the chains' light. Where σ is 1, what is left to a sample, F·T/(T + g),
-/// is never more than T.
+/// X is the variance of a sample with its remaining part, C the variance of a mutation over that of
+/// an independent sample of the chains' light. Where σ is 1, the remaining part of a sample, F·T/(T
+/// + g), is never more than T.
 ///
 /// Both sides compute g from the path and its technique alone, and σ and T from its place on the
 /// film, so the parts add up to F. With σ = 1 it is the balance heuristic between independent
@@ -49,7 +49,7 @@ struct PixelShare {
 /// spends no time on what it does not make. The idea to divide in path space is Bitterli & Jarosz
 /// 2019's. With T = 0 it is the division by an image σ of Frolov (docs/methods/selective.md),
 /// and both sides may have different techniques.
-class Division final : public PathPart {
+class Division final : public ChainWeight {
  public:
   /// Edges of the longest paths that are direct light.
   static constexpr int kDirectDepth = 2;
@@ -60,27 +60,27 @@ class Division final : public PathPart {
     shares_.front().threshold = highest_;
   }
   /// `shares`: one per pixel of `crop`, row by row.
-  Division(const Box2i& crop, std::vector<PixelShare> shares, const ImportanceMap& importance)
+  Division(const Box2i& crop, std::vector<PixelDivision> shares, const ImportanceMap& importance)
       : crop_(crop), shares_(std::move(shares)), importance_(&importance) {
-    for (const PixelShare& share : shares_) highest_ = std::max(highest_, share.threshold);
+    for (const PixelDivision& share : shares_) highest_ = std::max(highest_, share.threshold);
   }
 
   static bool divides(Technique technique) { return technique.depth() > kDirectDepth; }
-  const PixelShare& at(const Vec2& raster) const {
+  const PixelDivision& at(const Vec2& raster) const {
     return shares_.size() == 1 ? shares_.front() : shares_[pixel_at(crop_, raster)];
   }
   /// g / (T + g).
   static float above(float strength, float threshold) {
-    // What is infinite or not a number is for whoever adds it up to discard.
+    // Infinity and NaN are discarded by the caller.
     return strength > 0.F ? 1.F / (1.F + threshold / strength) : 0.F;
   }
-  /// What chains sample of a contribution that lands on `raster`.
+  /// Part of a contribution that lands on `raster` in the chains' target.
   float chain_share(const Contribution& contribution, const Vec2& raster) const {
     return divides(contribution.technique) ? chain_share(strength(contribution, raster), raster)
                                            : 0.F;
   }
   float chain_share(float strength, const Vec2& raster) const {
-    const PixelShare& share = at(raster);
+    const PixelDivision& share = at(raster);
     return share.target * above(strength, share.threshold);
   }
   float omc_share(const Contribution& contribution, const Vec2& raster) const {
@@ -88,7 +88,7 @@ class Division final : public PathPart {
                                            : 1.F;
   }
   float omc_share(float strength, const Vec2& raster) const {
-    const PixelShare& share = at(raster);
+    const PixelDivision& share = at(raster);
     return 1.F - share.kept * above(strength, share.threshold);
   }
   /// Both at once, of a contribution whose technique is divided.
@@ -101,7 +101,7 @@ class Division final : public PathPart {
   Parts parts(const Contribution& contribution, const Vec2& raster) const {
     const float light = luminance(contribution.value) * (*importance_)(raster);
     const float strength = light / contribution.chance;
-    const PixelShare& share = at(raster);
+    const PixelDivision& share = at(raster);
     const float over = above(strength, share.threshold);
     return {light, strength, share.target * over, 1.F - share.kept * over};
   }
@@ -112,13 +112,13 @@ class Division final : public PathPart {
     return divides(technique) ? chain_share(light * (*importance_)(raster), raster) : 1.F;
   }
   float kept(const Vec2& raster) const override {
-    const PixelShare& share = at(raster);
+    const PixelDivision& share = at(raster);
     return share.target > 0.F ? share.kept / share.target : 0.F;
   }
-  /// Whether the picture takes nothing from chains anywhere.
+  /// True if the picture takes nothing from chains anywhere.
   bool takes_nothing() const {
     return std::all_of(shares_.begin(), shares_.end(),
-                       [](const PixelShare& share) { return share.kept == 0.F; });
+                       [](const PixelDivision& share) { return share.kept == 0.F; });
   }
   /// T of the pixel where it is highest.
   float highest_threshold() const { return highest_; }
@@ -130,7 +130,7 @@ class Division final : public PathPart {
 
  private:
   Box2i crop_{Vec2i(0, 0), Vec2i(0, 0)};
-  std::vector<PixelShare> shares_;
+  std::vector<PixelDivision> shares_;
   float highest_ = 0.F;
   const ImportanceMap* importance_;
 };

@@ -48,7 +48,7 @@ TEST(Division, SharesAddUpToOneAndOrdinaryMonteCarloStaysBelowTheThreshold) {
   }
 }
 
-TEST(Division, DoesNotLookAtWhatChanceHasMadeOfThePath) {
+TEST(Division, IgnoresRouletteWeights) {
   const ImportanceMap importance;
   const Division division(5.0, importance);
   const float sure = division.chain_share(contribution(2.F, {3, 2}), kAnywhere);
@@ -56,7 +56,7 @@ TEST(Division, DoesNotLookAtWhatChanceHasMadeOfThePath) {
       << "a survivor of Russian roulette is the same path";
 }
 
-TEST(Division, KeepsWhatCannotBeAddedForTheOneWhoCounts) {
+TEST(Division, PassesOnNanAndInfinity) {
   const ImportanceMap importance;
   const Division division(5.0, importance);
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -67,8 +67,8 @@ TEST(Division, KeepsWhatCannotBeAddedForTheOneWhoCounts) {
 
 TEST(Division, SharesAddUpToOneWhateverTheMapAndWhereverThePath) {
   const Box2i crop(Vec2i(2, 3), Vec2i(4, 4));
-  std::vector<PixelShare> shares = {{0.F, 1.F, 1.F},  {0.F, 0.F, 0.F},  {5.F, 0.3F, 0.3F},
-                                    {0.F, 0.1F, 0.F}, {2.F, 0.7F, 1.F}, {9.F, 1.F, 1.F}};
+  std::vector<PixelDivision> shares = {{0.F, 1.F, 1.F},  {0.F, 0.F, 0.F},  {5.F, 0.3F, 0.3F},
+                                       {0.F, 0.1F, 0.F}, {2.F, 0.7F, 1.F}, {9.F, 1.F, 1.F}};
   const ImportanceMap importance;
   const Division division(crop, shares, importance);
   for (int row = 7; row < 24; ++row) {

@@ -23,9 +23,9 @@
 
 namespace ajar {
 
-/// What every integrator is told.
+/// Settings of every integrator.
 struct RenderSettings {
-  Vec2i resolution{0, 0};  ///< of the full image
+  Vec2i resolution{0, 0};  ///< size of the full image
   Box2i crop;              ///< pixels to render, min and max inclusive
   int min_depth = 1;       ///< path edges (docs/methods/notation.md)
   int max_depth = 100;
@@ -33,9 +33,9 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   int replicates = 4;
   std::vector<std::string> aovs;  ///< extra layers asked for
-  /// Whether filters of noise will be fed: what chains make is then also estimated by independent
-  /// samples, where there are any (`LayerSpec::instead_of`), and splats are kept as a filter of one
-  /// pixel's box has them, too (`LayerSpec::box_of`).
+  /// True if auxiliary buffers and unbiased estimates for denoisers are needed: the chains' light
+  /// is then also estimated by independent samples, where there are any (`LayerSpec::instead_of`),
+  /// and splats are also kept with a box filter of one pixel (`LayerSpec::box_of`).
   bool for_filters = false;
 };
 
@@ -66,8 +66,8 @@ static_assert(sizeof(EventCounts) == kEventCounts.size() * sizeof(std::uint64_t)
 
 /// Counts of every integrator; summed over threads by the job.
 struct Counters : EventCounts {
-  TechniqueShares techniques;  ///< what each technique brought
-  /// What to say about the first discarded contribution of an item: enough to replay it.
+  TechniqueShares techniques;  ///< light and variance of each technique
+  /// Description of the first discarded contribution of an item: enough to replay it.
   std::string first_discarded;
   Counters& operator+=(const Counters& other);
 };
@@ -76,25 +76,25 @@ struct Counters : EventCounts {
 struct PreparationRound {
   std::uint64_t items = 0;
   double effort = 1.0;
-  double later_effort = 0.0;  ///< of the rounds after it
-  double later_stays = 0.0;   ///< of that, what becomes part of the picture
-  bool stays = false;         ///< what it renders becomes part of the picture
-  /// What it finds serves the render even if none of the later rounds runs.
+  double later_effort = 0.0;  ///< effort of the rounds after it
+  double later_stays = 0.0;   ///< part of `later_effort` whose samples are kept
+  bool stays = false;         ///< its samples are kept in the picture
+  /// True if its result is of use even if none of the later rounds runs.
   bool serves_alone = false;
   /// Effort of one sample per pixel of the render. 0: however few there are, the preparation comes
   /// to its end, since without it another method would render than was asked for.
   double sample_effort = 0.0;
 };
 
-/// Of what a render had too little for its whole preparation.
+/// Reason why the preparation was cut short.
 enum class Shortage : bool { Time, Samples };
 
-/// What a method knows since its preparation.
+/// Results of the preparation.
 struct Findings {
-  std::vector<Warning> concerns;   ///< what the user should know; of no place
-  std::vector<std::string> notes;  ///< what the user may like to know beside
-  /// Whether there is light that it cannot see, however long it renders: then replicates know too
-  /// little of the error.
+  std::vector<Warning> concerns;   ///< for the user; without a place in a file
+  std::vector<std::string> notes;  ///< further remarks for the user
+  /// True if there is light that it cannot sample, however long it renders: then replicates
+  /// underestimate the error.
   bool misses_light = false;
   /// Pictures about the render, of one channel over the crop: those AOVs that are not sums of
   /// samples.
@@ -103,33 +103,33 @@ struct Findings {
   std::optional<Plane> antialias_mask;
 };
 
-/// A rendering method, cut into work items. It knows nothing of threads, files and clocks: the job
+/// A rendering method, cut into work items. It is independent of threads, files and clocks: the job
 /// first runs the rounds of its preparation, then calls `run_item` for every item of a round of a
 /// pass, in any order and on any thread. Each item is a pure function of its index and, for methods
-/// with a memory, of what the same item left behind in the passes before (chains) and all items in
-/// the rounds before (photons).
+/// with state, of that of the same item after the passes before (chains) and of all items after the
+/// rounds before (photons).
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// A round (counted from 0) of what comes before everything else; one without items ends the
-  /// preparation. Called once per round, after all items of the round before.
+  /// Begins a round (counted from 0) of the preparation; one without items ends it. Called once per
+  /// round, after all items of the round before.
   virtual PreparationRound begin_preparation(int /*round*/) { return {}; }
   virtual void prepare_item(int /*round*/, std::uint64_t /*item*/, Counters& /*counters*/) {}
   /// There is too little of something for the rest of the preparation: the integrator renders as
   /// well as it can without. Called once a round has begun, of which any items may have run; the
   /// picture depends on the number of the round only.
   virtual void skip_preparation(Shortage /*of*/) {}
-  /// What the preparation has seen of the picture: RGB in the film's unit, row by row of the crop;
-  /// empty if there is nothing to look at, or nothing new since this was asked last. Asked between
-  /// the rounds of the preparation. For the eye only: none of it need be in the picture.
+  /// Preview of the picture during the preparation: RGB in the film's unit, row by row of the crop;
+  /// empty if there is none, or nothing new since the last call. Called between the rounds of the
+  /// preparation. For the eye only: none of it need be in the picture.
   virtual std::vector<float> take_first_look() { return {}; }
   virtual Findings findings() const { return {}; }
 
   /// Layers of the film, known after the preparation; includes "direct" and "indirect".
   virtual std::vector<LayerSpec> layers() const = 0;
   /// Rounds of every pass, with a barrier between them: photons are traced before they are
-  /// gathered. More than one need `keeps_state`, for what a round leaves behind to the next is news
-  /// to other processes.
+  /// gathered. More than one need `keeps_state`, as other processes need the state of a round in
+  /// the next.
   virtual int rounds_in_pass() const { return 1; }
   /// A later round of the pass (the first is 1), on one thread: all items of the round before have
   /// run, of all processes. A state that is saved in the midst of a pass leads back to its round.
@@ -138,34 +138,34 @@ class Integrator {
   /// run.
   virtual std::uint64_t items_in_round() const = 0;
   /// Called between passes, on one thread. A pass does not cross a milestone (`milestone_after`).
-  /// `film`: what was rendered so far, by all processes if it is at a milestone. What is added to
-  /// it before the first pass becomes part of the picture.
+  /// `film`: samples so far, of all processes at a milestone. Additions before the first pass
+  /// become part of the picture.
   virtual void begin_pass(std::uint64_t /*first_sample*/, std::uint64_t /*samples*/,
                           Film& /*film*/) {}
   /// Adds the contribution of one item of the round of a pass, `first_sample`..`first_sample +
   /// samples` per pixel, to the film.
   virtual void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples,
                         Film& film, Counters& counters) = 0;
-  /// Whether an item of a pass is of Markov chains: statistics tell their time apart.
+  /// True for an item of Markov chains, whose time statistics show apart.
   virtual bool is_of_chains(std::uint64_t /*item*/) const { return false; }
-  /// What turns the sums of a layer into pixel values after `samples` samples per pixel over all
+  /// Scale from the sums of a layer to pixel values after `samples` samples per pixel over all
   /// replicates, for one replicate or all.
   virtual DevelopScale develop_scale(const LayerSpec& layer, std::uint64_t samples,
                                      std::optional<int> replicate) const = 0;
 
-  /// Whether items leave anything behind for later passes. Only methods whose items do not can be
-  /// cut into shares that are rendered each by itself.
+  /// True if items keep state for later passes. Only methods without can be cut into slices that
+  /// are rendered each by itself.
   virtual bool keeps_state() const { return false; }
-  /// Between passes, after the preparation: writes what the items have left behind; and takes it
-  /// back, in an integrator that was made and prepared in the same way. Then rendering goes on with
-  /// the same bits after `samples` samples per pixel. `load_state` raises some std::exception if
-  /// the bytes make no sense, whoever wrote them: what it accepts can be rendered on.
+  /// Between passes, after the preparation: writes the state of the items, and restores it in an
+  /// integrator that was made and prepared in the same way. Rendering then continues with the same
+  /// bits after `samples` samples per pixel. `load_state` raises some std::exception if the bytes
+  /// make no sense: any state that it accepts can be rendered on.
   virtual void save_state(OutputArchive& /*archive*/) const {}
   virtual void load_state(InputArchive& /*archive*/, std::uint64_t /*samples*/) {}
-  /// Between passes of a render whose items are shared by several processes: gives away what the
-  /// items of `share`, which is this process's, have left behind since it did so last; and takes
-  /// what the process of `share` gave. When all have taken the news of all, in the order of their
-  /// shares and their own among them, they know the same again, as if they had rendered all items.
+  /// Between passes of a render whose items are shared by several processes: serialises this
+  /// process's state changes (items of `share`) since the last exchange, and applies those of the
+  /// process of `share`. After the exchange of all, in the order of their shares and their own
+  /// among them, all have the same state, as if they had rendered all items.
   virtual void give_news(OutputArchive& /*archive*/, const WorkShare& /*share*/) {}
   virtual void take_news(InputArchive& /*archive*/, const WorkShare& /*share*/) {}
 
@@ -173,7 +173,7 @@ class Integrator {
   /// preparation. An estimate.
   virtual std::uint64_t memory_bytes() const { return 0; }
 
-  /// How it fares, between passes.
+  /// Report of the run, between passes.
   virtual MethodReport report() const;
 };
 
@@ -185,13 +185,13 @@ struct IntegratorInfo {
   std::vector<ParameterSpec> parameters;
   std::function<std::unique_ptr<Integrator>(const Scene&, const RenderSettings&, const Parameters&)>
       make;
-  /// Adds to what was given what follows from it, such as the values of a preset; may be empty.
-  std::function<std::map<std::string, std::string>(std::map<std::string, std::string>)> complete =
-      nullptr;
+  /// Raises UsageError for names of older versions, with the new ones; may be empty.
+  std::function<void(const std::map<std::string, std::string>& given)> check = nullptr;
 
-  /// What `make` is to be called with. Raises UsageError as `Parameters` does.
+  /// Parameters for `make`. Raises UsageError as `Parameters` does.
   Parameters read(const std::map<std::string, std::string>& given) const {
-    return {parameters, complete ? complete(given) : given};
+    if (check) check(given);
+    return {parameters, given};
   }
 };
 
@@ -199,16 +199,14 @@ struct IntegratorInfo {
 struct AovInfo {
   std::string name;
   std::string summary;      ///< one line
-  bool part_of_all = true;  ///< false for what is large, or made by some integrators only
+  bool part_of_all = true;  ///< false for large layers, and those of some integrators only
 };
 /// Every layer there is, those that need no asking for ("direct", "indirect") included.
 const std::vector<AovInfo>& aovs();
 
 /// All integrators, sorted by name.
 const std::vector<IntegratorInfo>& integrators();
-/// Settings of theirs that tables call by names of their own.
-const std::vector<IntegratorInfo>& integrator_presets();
-/// Of either kind. Raises UsageError with the nearest name.
+/// Raises UsageError with the nearest name.
 const IntegratorInfo& find_integrator(const std::string& name);
 
 }  // namespace ajar

@@ -21,7 +21,7 @@ struct Maker {
   Filter operator()(const desc::SincFilter& f) const { return Filter::sinc(radius, f.lobes); }
 };
 
-/// What makes a filter of each kind that is neither zero nor infinite.
+/// Makes a filter of each kind that is neither zero nor infinite.
 struct Allowed {
   std::string operator()(const desc::BoxFilter&) const { return {}; }
   std::string operator()(const desc::TriangleFilter&) const { return {}; }

@@ -9,11 +9,11 @@ namespace ajar {
 class PreparationStage {
  public:
   virtual ~PreparationStage() = default;
-  /// What it takes at most, in camera samples per pixel; an estimate.
+  /// Upper estimate of its cost, in camera samples per pixel.
   virtual double effort() const = 0;
-  /// Whether what it renders becomes part of the picture.
+  /// True if its samples are kept in the picture.
   virtual bool stays() const { return false; }
-  /// Whether what it finds serves the render even if no later stage runs.
+  /// True if its result is of use even if no later stage runs.
   virtual bool serves_alone() const { return false; }
   /// Number of items; called once.
   virtual std::uint64_t begin() = 0;
@@ -21,8 +21,8 @@ class PreparationStage {
   virtual void run(std::uint64_t item, Counters& counters) = 0;
   /// Called once, after all items.
   virtual void end() = 0;
-  /// Puts what was rendered on the film of the render, if it is to stay; called once, before the
-  /// first pass.
+  /// Adds its samples to the film of the render, if they are kept; called once, before the first
+  /// pass.
   virtual void hand_over(Film& /*film*/) {}
 };
 

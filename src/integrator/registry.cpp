@@ -1,12 +1,14 @@
 #include <algorithm>
 
+#include "integrator/masked/masked.h"
 #include "integrator/metropolis/erpt.h"
 #include "integrator/metropolis/metropolis.h"
 #include "integrator/metropolis/mlt.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/path_family.h"
+#include "integrator/renamed.h"
+#include "integrator/selective/config.h"
 #include "integrator/selective/selective.h"
-#include "integrator/selective/selective_settings.h"
 
 namespace ajar {
 
@@ -36,27 +38,6 @@ IntegratorInfo metropolis(ChainKind kind, std::string name, std::string summary,
           }};
 }
 
-IntegratorInfo selective_preset(const std::string& name, const std::string& source) {
-  const std::string chain = name.substr(0, name.size() - 1);
-  const std::map<std::string, std::string> values =
-      SelectiveSettings::apply_preset({{"preset", name}});
-  std::vector<ParameterSpec> specs = selective_parameters();
-  for (ParameterSpec& spec : specs) {
-    if (const auto own = values.find(spec.name); own != values.end()) {
-      spec.default_value = own->second;
-    }
-  }
-  return {.name = name,
-          .summary = "selective with preset=" + name + ": ordinary Monte Carlo and chains of " +
-                     chain + " share the light alike everywhere",
-          .source = "after " + source,
-          .parameters = std::move(specs),
-          .make = make_selective_integrator,
-          .complete = [name](std::map<std::string, std::string> given) {
-            given.emplace("preset", name);
-            return SelectiveSettings::apply_preset(std::move(given));
-          }};
-}
 }  // namespace
 
 const std::vector<IntegratorInfo>& integrators() {
@@ -71,7 +52,10 @@ const std::vector<IntegratorInfo>& integrators() {
            "chains that start from it",
        .source = "Cline, Talbot & Egbert 2005",
        .parameters = erpt_parameters(),
-       .make = make_erpt_integrator},
+       .make =
+           [](const Scene& scene, const RenderSettings& settings, const Parameters& parameters) {
+             return make_erpt_integrator(scene, settings, parameters);
+           }},
       path_family_member(
           path_family_defaults("ibpt"),
           "path tracing and light tracing combined: most of bdpt's strength at little cost",
@@ -86,7 +70,17 @@ const std::vector<IntegratorInfo>& integrators() {
            "changed vertex by vertex",
        .source = "Veach & Guibas 1997",
        .parameters = mlt_parameters(),
-       .make = make_mlt_integrator},
+       .make =
+           [](const Scene& scene, const RenderSettings& settings, const Parameters& parameters) {
+             return make_mlt_integrator(scene, settings, parameters);
+           }},
+      {.name = "masked",
+       .summary = "selective Metropolis as published: chains make the indirect light of the "
+                  "picture's noisy "
+                  "regions, by a mask",
+       .source = "Frolov",
+       .parameters = masked_parameters(),
+       .make = make_masked_integrator},
       metropolis(
           ChainKind::OnePath, "mmlt",
           "multiplexed Metropolis light transport, as published: chains of paths of one depth that "
@@ -106,29 +100,20 @@ const std::vector<IntegratorInfo>& integrators() {
            "ordinary Monte Carlo where it works, Markov chains where it fails: divides the light "
            "path by path",
        .source = "after Frolov; Bitterli & Jarosz 2019; Kelemen et al. 2002",
-       .parameters = selective_parameters(),
+       .parameters = SelectiveConfig::parameters(),
        .make = make_selective_integrator,
-       .complete = SelectiveSettings::apply_preset},
+       .check = refuse_renamed_parameters},
   };
   return kIntegrators;
 }
 
-const std::vector<IntegratorInfo>& integrator_presets() {
-  static const std::vector<IntegratorInfo> kPresets = {
-      selective_preset("mmlt+", "Hachisuka, Kaplanyan & Dachsbacher 2014"),
-      selective_preset("pssmlt+", "Kelemen et al. 2002"),
-  };
-  return kPresets;
-}
-
 const IntegratorInfo& find_integrator(const std::string& name) {
   std::vector<std::string> names;
-  for (const auto* list : {&integrators(), &integrator_presets()}) {
-    for (const IntegratorInfo& info : *list) {
-      if (info.name == name) return info;
-      names.push_back(info.name);
-    }
+  for (const IntegratorInfo& info : integrators()) {
+    if (info.name == name) return info;
+    names.push_back(info.name);
   }
+  refuse_renamed_integrator(name);
   throw UsageError(unknown_name_message("integrator", name, names));
 }
 

@@ -7,16 +7,15 @@
 
 namespace ajar {
 
-/// What single techniques brought to a render: how much light, and how much of its variance.
-/// Summable. Techniques of longer subpaths than `kMaxVertices` are kept together as (s, t) =
-/// (kMaxVertices + 1, kMaxVertices + 1).
+/// Light and variance of single techniques in a render. Summable. Techniques of longer subpaths
+/// than `kMaxVertices` are kept together as (s, t) = (kMaxVertices + 1, kMaxVertices + 1).
 class TechniqueShares {
  public:
   static constexpr int kMaxVertices = 16;
   struct Share {
     Technique technique;
-    double light;     ///< of the picture's light, between 0 and 1
-    double variance;  ///< of the sum of the techniques' variances; correlations not counted
+    double light;     ///< share of the picture's light, between 0 and 1
+    double variance;  ///< share of the sum of the techniques' variances; correlations not counted
   };
 
   /// `light`: sum of luminances; `variance`: sum over pixels of the variance of one sample, times
@@ -27,7 +26,7 @@ class TechniqueShares {
   /// nothing at all; and adding that.
   std::vector<double> sums() const;
   void add_sums(std::span<const double> sums);
-  /// Sorted by s, then t; techniques that brought nothing are left out.
+  /// Sorted by s, then t; techniques without a contribution are left out.
   std::vector<Share> list() const;
 
   static std::size_t slot(Technique technique);

@@ -92,7 +92,7 @@ std::vector<std::size_t> apportion(std::span<const double> b, std::size_t count)
   if (shares.empty()) return result;
 
   // Depths whose quota is below one get one chain and leave the competition, which lowers the
-  // quotas of the others, until all that remain deserve one at least.
+  // quotas of the others, until all that remain have one at least.
   std::vector<std::size_t> competing;
   for (std::size_t i = 0; i < b.size(); ++i) {
     if (b[i] > 0.0) competing.push_back(i);

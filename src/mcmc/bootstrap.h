@@ -18,22 +18,22 @@ Moments bootstrap_moments(std::span<const double> weights);
 /// Source: Kitagawa 1996, "Monte Carlo filter and smoother".
 std::vector<std::size_t> choose_seeds(std::span<const double> weights, std::size_t count, double u);
 
-/// Which bootstrap samples become seeds.
+/// Selection of bootstrap samples as seeds.
 enum class SeedFilter {
   None,      ///< in proportion to I
   Weighted,  ///< outliers less often, with larger weights instead
   Dropped    ///< outliers never: biased
 };
 
-/// What seeds are chosen in proportion to. Outliers are samples whose I lies more than `spread`
+/// Weights for the selection of seeds. Outliers are samples whose I lies more than `spread`
 /// standard deviations above the mean; a chain that starts from one of them and moves little burns
 /// a spot into the picture. With `Weighted` they count as if they lay at that limit; with
 /// `Dropped`, 0, unless nothing else is left. As we read He 2018, "variance-filtered seeds".
 std::vector<double> filter_weights(std::span<const double> weights, SeedFilter filter,
                                    double spread);
 /// Weight of a chain that starts from sample `index`, relative to the weight it would have without
-/// a filter: (I / Σ I) / (filtered / Σ filtered), by which its start stands for as much light as
-/// it should on average. 1 for `Dropped`, whose bias is that it does not.
+/// a filter: (I / Σ I) / (filtered / Σ filtered), which keeps the expected light of its start. 1
+/// for `Dropped`, which is biased.
 double seed_weight(std::span<const double> weights, std::span<const double> filtered,
                    SeedFilter filter, std::size_t index);
 

@@ -67,7 +67,7 @@ TEST(ChooseSeeds, ExpectedCountsAreInProportion) {
   }
 }
 
-TEST(ChooseSeeds, HandlesTheExtremes) {
+TEST(ChooseSeeds, HandlesExtremeWeights) {
   EXPECT_TRUE(choose_seeds({}, 5, 0.5).empty());
   EXPECT_TRUE(choose_seeds(std::vector<double>{0.0, 0.0}, 5, 0.5).empty());
   EXPECT_TRUE(choose_seeds(std::vector<double>{1.0}, 0, 0.5).empty());
@@ -83,7 +83,7 @@ TEST(ChooseSeeds, HandlesTheExtremes) {
   EXPECT_EQ(choose_seeds(std::vector<double>(100001, 0.1), 17, last).size(), 17U);
 }
 
-TEST(ChooseSeeds, RefusesWhatIsNoWeight) {
+TEST(ChooseSeeds, RefusesInvalidWeights) {
   for (const double bad : {kNan, kInfinity, -1.0}) {
     const std::vector<double> weights{1.0, bad};
     EXPECT_THROW(choose_seeds(weights, 1, 0.5), std::invalid_argument);
@@ -107,7 +107,7 @@ TEST(SeedFilter, LimitsOrDropsOutliersAndMakesUpByWeight) {
   EXPECT_EQ(seed_weight(weights, limited, SeedFilter::None, 99), 1.0);
   EXPECT_NEAR(seed_weight(weights, limited, SeedFilter::Weighted, 99), 101.0 / 32.0 * 131.0 / 200.0,
               1e-9);
-  // On average over what is chosen, the weight is 1.
+  // On average over the chosen samples, the weight is 1.
   double mean = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     mean += limited[i] / 131.0 * seed_weight(weights, limited, SeedFilter::Weighted, i);
@@ -145,7 +145,7 @@ TEST(Apportion, GivesQuotasRoundedAndAnExactTotal) {
   }
 }
 
-TEST(Apportion, HandlesTheExtremes) {
+TEST(Apportion, HandlesExtremeShares) {
   using Counts = std::vector<std::size_t>;
   EXPECT_EQ(apportion(std::vector<double>{0.0, 0.0}, 9), (Counts{0, 0}));
   EXPECT_EQ(apportion({}, 9), Counts{});

@@ -3,8 +3,8 @@
 
 namespace ajar {
 
-/// What every Markov chain has between two runs, whatever space it walks in: plain data. With its
-/// state, which its kernel knows, it is a pure function of its start and the number of its steps.
+/// State of every Markov chain between two runs, in any state space: plain data. With its state,
+/// which its kernel knows, it is a pure function of its start and the number of its steps.
 struct Chain {
   std::uint64_t seed = 0;
   std::uint64_t step = 0;    ///< made so far

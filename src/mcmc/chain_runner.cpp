@@ -15,7 +15,7 @@ struct ChainRunner::Run {
   DepositSink& sink;
   bool combined;
   double independent_density;   ///< b·p; 0 if not combined
-  double current_weight = 0.0;  ///< of the current state, not deposited yet
+  double current_weight = 0.0;  ///< weight of the current state, not deposited yet
   ChainStatistics statistics{};
 
   void deposit(std::span<const Splat> splats, double weight, double scalar) const {

@@ -24,8 +24,8 @@ class DepositSink {
 /// Runs Markov chains in any space: the only place where proposals are accepted and rejected.
 class ChainRunner {
  public:
-  /// `kernel` must outlive it. What an independent candidate brings beyond `cap` does not count in
-  /// the statistics of b.
+  /// `kernel` must outlive it. `cap` bounds an independent candidate's contribution to the
+  /// statistics of b.
   explicit ChainRunner(Kernel& kernel, double cap = std::numeric_limits<double>::infinity())
       : kernel_(kernel), moves_(kernel.moves()), cap_(cap) {}
 
@@ -36,9 +36,10 @@ class ChainRunner {
   /// the same light to rounding, and leaves the chain the same to the bit.
   ///
   /// With `combined_b` (`mis-large-steps`; Kelemen et al. 2002, section 5.2) independent candidates
-  /// count as ordinary Monte Carlo samples as well. N steps bring N samples of density I/b from the
-  /// chain and on average N·p of density 1 from its large steps, p being how many a step has. The
-  /// balance heuristic gives a sample of either kind f / (N·I/b + N·p); times N/b, the deposit is
+  /// count as ordinary Monte Carlo samples as well. N steps give N samples of density I/b from the
+  /// chain and on average N·p of density 1 from its large steps, p being the mean number per step.
+  /// The balance heuristic gives a sample of either kind f / (N·I/b + N·p); times N/b, the deposit
+  /// is
   ///
   ///     (a + 1[large]) · f' / (I' + b·p)   for the proposal,
   ///     (1 − a) · f / (I + b·p)            for the current state.

@@ -197,7 +197,7 @@ TEST(ChainRunner, ARunCutInPiecesIsTheSameChain) {
   }
 }
 
-TEST(ChainRunner, LongestStreakGoesOnFromRunToRun) {
+TEST(ChainRunner, LongestStreakContinuesAcrossRuns) {
   // A state that nothing can leave.
   ToyTarget target([](SampleSource& numbers) {
     BootstrapSource start(1, 1);
@@ -215,7 +215,7 @@ TEST(ChainRunner, LongestStreakGoesOnFromRunToRun) {
   EXPECT_EQ(histogram.sums()[0], 50.0);
 }
 
-TEST(ChainRunner, RefusesATargetThatIsNoFunctionOfItsNumbers) {
+TEST(ChainRunner, RefusesANondeterministicTarget) {
   int calls = 0;
   ToyTarget target([&calls](SampleSource& numbers) {
     return ToyValue{1.0 + double{numbers.get(testing::kCameraX)} + 1e-15 * ++calls, 0};
@@ -339,7 +339,7 @@ class CachingTarget final : public Target {
   std::array<double, 2> proposed_{};
 };
 
-TEST(ChainRunner, ATargetMayKeepTheHalfThatDidNotChange) {
+TEST(ChainRunner, TargetsMayReuseTheUnchangedHalf) {
   const KelemenMutation mutation;
   PrimarySettings settings;
   settings.probabilities = {0.1, 0.45, 0.45};
@@ -401,8 +401,7 @@ TEST(ChainRunner, FilteredSeedsAreUnbiasedWithWeightsOnly) {
   for (const std::uint64_t steps : {2, 20}) {
     testing::expect_mean(filtered_brightness(SeedFilter::Weighted, steps), 1.0, 0.05);
   }
-  // The figures of docs/notebook/mutations.md: what is lost comes back as chains forget their
-  // start.
+  // The figures of docs/notebook/mutations.md: lost light comes back as chains forget their start.
   const testing::Mean after_two = filtered_brightness(SeedFilter::Dropped, 2);
   const testing::Mean after_twenty = filtered_brightness(SeedFilter::Dropped, 20);
   EXPECT_NEAR(after_two.value(), 0.613, 5.0 * after_two.error());

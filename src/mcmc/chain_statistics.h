@@ -9,7 +9,7 @@
 
 namespace ajar {
 
-/// What became of the steps of one kind.
+/// Outcomes of the steps of one kind.
 struct MoveCount {
   std::uint64_t proposals = 0;
   double acceptances = 0.0;  ///< sum of the acceptance probabilities
@@ -29,7 +29,7 @@ struct MoveCount {
   }
 };
 
-/// What became of a move, and what it cost.
+/// Outcomes and cost of a move.
 struct MoveRecord : MoveCount {
   std::uint64_t dark = 0;  ///< proposals without light, or that came to nothing
   std::uint64_t rays = 0;  ///< 0 where kernels do not know
@@ -63,7 +63,7 @@ struct ChainPlace {
   }
 };
 
-/// What happened in steps of chains; summable over runs.
+/// Statistics of chains' steps; summable over runs.
 struct ChainStatistics {
   std::vector<MoveRecord> moves;  ///< numbered as in `Kernel::moves`; empty if there was no step
   std::uint64_t steps = 0;
@@ -72,13 +72,13 @@ struct ChainStatistics {
   std::uint64_t discarded_infinite = 0;
   std::uint64_t discarded_negative = 0;
   std::optional<ChainPlace> first_discarded;
-  std::uint64_t longest_streak = 0;  ///< of rejections
+  std::uint64_t longest_streak = 0;  ///< longest streak of rejections
   /// I of all independent candidates, up to a cap: with these b can be refined.
   Moments large_steps;
 
   /// A candidate of the step at `place`.
   void count(const Candidate& candidate, const ChainPlace& place);
-  /// Those for which there was no move.
+  /// Steps without a suitable move.
   std::uint64_t idle_steps() const;
   ChainStatistics& operator+=(const ChainStatistics& other);
 

@@ -3,8 +3,8 @@
 
 #include "core/random.h"
 
-/// Random numbers without a generator to store: each is a hash of a key and of what it is for, so
-/// that a Markov chain is a pure function of its seed and the number of its steps.
+/// Random numbers without a generator to store: each is a hash of a key and of its purpose, so that
+/// a Markov chain is a pure function of its seed and the number of its steps.
 namespace ajar {
 
 /// Number `index` of the sequence named by `key`: SplitMix64 with random access.

@@ -19,43 +19,42 @@ struct Candidate {
   Fault fault = Fault::None;
   SplatBuffer splats;  ///< appended to as the state is evaluated
 
-  /// Takes what a target says of I, as far as chains can go on with it: what is too small for its
-  /// inverse to be finite counts as 0.
+  /// Stores a target's I; values whose inverse would not be finite count as 0.
   void take(double value);
 };
 
 /// One of the moves that a kernel mixes.
 struct Move {
   std::string_view name;  ///< for statistics
-  /// Whether its candidates are independent samples of density 1, whatever the current state is
+  /// True if its candidates are independent samples of density 1, whatever the current state is
   /// (large steps of primary sample space).
   bool independent = false;
 };
 
-/// What became of the walk of a move that walks to its proposal.
+/// Outcome of a manifold walk to a proposal.
 enum class WalkEnd : std::uint8_t {
-  None,    ///< it was not tried, or led there and back
-  Lost,    ///< it did not arrive
+  None,    ///< not tried, or there and back
+  Lost,    ///< did not arrive
   OneWay,  ///< one from the proposal did not come back to the current state
 };
 
-/// What one step proposes: one state, or several of which one at most becomes the next.
+/// Proposal of a step: one state, or several of which one at most becomes the next.
 struct Proposal {
   std::optional<std::size_t> move;  ///< in `Kernel::moves`; empty if none was for the state
   std::span<const Candidate> candidates;
-  std::uint64_t rays = 0;  ///< that it took; 0 where kernels do not know
+  std::uint64_t rays = 0;  ///< rays traced; 0 where kernels do not count them
   WalkEnd walk = WalkEnd::None;
-  /// Whether it is refused as the density with which it was made is 0 or no number, or as that of
-  /// the way back is no number: a mistake, or a rounding at the ends of a reach.
+  /// True if it is rejected because its density is 0 or NaN, or the reverse density is NaN: a
+  /// mistake, or a rounding at the ends of a reach.
   bool without_density = false;
 };
 
-/// A transition of Markov chains that keeps the density I / b: proposes from the state that it is
-/// at, says with which probability each candidate is to be the next, and goes there or stays. Holds
-/// the scratch memory of one thread. How it gets to the state of a chain is up to each kernel.
+/// A transition of Markov chains that keeps the density I / b: proposes from its current state,
+/// returns the probability of each candidate to be the next, and accepts or stays. Holds the
+/// scratch memory of one thread. Kernels set the state of a chain in their own ways.
 ///
-/// A kernel that mixes moves chooses among them by what does not depend on the state, or has the
-/// choice in its probabilities: then each may be right by itself.
+/// A kernel that mixes moves chooses among them independently of the state, or has the choice in
+/// its probabilities: then each may be right by itself.
 class Kernel {
  public:
   virtual ~Kernel() = default;
@@ -63,7 +62,7 @@ class Kernel {
   virtual std::span<const Move> moves() const = 0;
   /// Independent candidates per step, on average.
   virtual double independent_candidates() const { return 0.0; }
-  /// Of the current state.
+  /// Splats of the current state.
   virtual std::span<const Splat> current() const = 0;
   /// A step. `key` names its randomness. The candidates are the kernel's until its next function is
   /// called.

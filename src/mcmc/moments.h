@@ -29,7 +29,7 @@ struct Moments {
   }
   /// 0 without samples.
   double mean() const { return count == 0 ? 0.0 : sum / static_cast<double>(count); }
-  /// Of the mean; infinite for fewer than two samples.
+  /// Standard error of the mean; infinite for fewer than two samples.
   double standard_error() const {
     if (count < 2) return std::numeric_limits<double>::infinity();
     const auto n = static_cast<double>(count);

@@ -83,8 +83,8 @@ class File {
   int descriptor_ = -1;
 };
 
-/// How temporary files for `path` begin: by a hash, as the name itself may be as long as names can
-/// be.
+/// Prefix of temporary files for `path`: a hash, as the name itself may have the greatest length
+/// allowed.
 std::string temporary_start(const fs::path& path) {
   std::array<char, 2 * sizeof(std::size_t)> digits{};
   const std::size_t hash = std::hash<std::string>()(path.filename().string());
@@ -103,7 +103,7 @@ pid_t writer_of(const fs::path& path, const std::string& name) {
   return error == std::errc() && *stopped == '.' && process > 0 ? process : 0;
 }
 
-/// What `path` names in the end, there or not.
+/// Resolves symbolic links; the target need not exist.
 fs::path behind_links(const fs::path& path) {
   fs::path target = path;
   for (int links = 0; links < kMostLinks; ++links) {
@@ -115,8 +115,7 @@ fs::path behind_links(const fs::path& path) {
   return target;
 }
 
-/// What is to be written: a file, of which the content is replaced, or something else that takes
-/// bytes.
+/// Output: a file whose content is replaced, or another sink of bytes.
 struct Target {
   fs::path path;
   struct stat status {};
@@ -124,14 +123,14 @@ struct Target {
   bool is_file = true;
 };
 
-/// Whether it has a name on a disk, by which it is opened once more. Those that this process was
-/// given (/dev/stdout, the shell's >(…)) have none.
+/// True if it has a name on a disk, by which it is opened once more. Inherited ones (/dev/stdout,
+/// the shell's >(…)) have none.
 bool is_named_pipe(const fs::path& path) {
   std::error_code error;
   return fs::is_fifo(fs::symlink_status(behind_links(path), error));
 }
 
-/// Raises IoError for what is known before anything is written.
+/// Raises IoError for errors that show before anything is written.
 Target examine(const fs::path& path) {
   Target target;
   target.exists = ::stat(path.c_str(), &target.status) == 0;
@@ -155,8 +154,8 @@ class TemporaryFile {
   /// Raises IoError that names `path`.
   TemporaryFile(const fs::path& path, const Target& target) : target_(target) {
     int reason = EEXIST;
-    // Never through what is there: a link that somebody has put there, or the file of a process of
-    // the same number that was killed.
+    // Exclusive creation: neither a planted link is followed, nor the file of a killed process of
+    // the same number replaced.
     while (reason == EEXIST) {
       path_ = temporary_path(target.path);
       reason = file_.open(path_, O_WRONLY | O_CREAT | O_EXCL);

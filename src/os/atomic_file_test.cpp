@@ -59,7 +59,7 @@ TEST_F(AtomicFile, KeepsPermissionsAndLinks) {
             fs::perms::owner_read | fs::perms::owner_write);
 }
 
-TEST_F(AtomicFile, ALinkToWhatIsNotThereYetStays) {
+TEST_F(AtomicFile, DanglingLinksAreKept) {
   fs::create_directory(path("disk"));
   fs::create_symlink("disk/a.txt", path("second"));
   fs::create_symlink("second", path("first"));
@@ -71,7 +71,7 @@ TEST_F(AtomicFile, ALinkToWhatIsNotThereYetStays) {
   EXPECT_THROW(write(path("circle"), "one"), IoError);
 }
 
-TEST_F(AtomicFile, DoesNotWriteThroughWhatIsAtTheTemporaryName) {
+TEST_F(AtomicFile, DoesNotWriteThroughAFileAtTheTemporaryName) {
   write(path("victim"), "untouched");
   write(path("other process"), "its part");
   const std::string used = temporary_path(path("a.txt")).filename().string();
@@ -89,7 +89,7 @@ TEST_F(AtomicFile, DoesNotWriteThroughWhatIsAtTheTemporaryName) {
   EXPECT_EQ(files(), 3U + 4U) << "all is where it was";
 }
 
-TEST_F(AtomicFile, NamesMayBeAsLongAsNamesCanBe) {
+TEST_F(AtomicFile, NamesMayHaveTheGreatestLength) {
   for (std::size_t size = 200; size <= 255; size += size < 240 ? 20 : 1) {
     const fs::path name = path(std::string(size - 4, 'n') + ".txt");
     EXPECT_NO_THROW(check_file_can_be_written(name)) << size;
@@ -105,7 +105,7 @@ TEST_F(AtomicFile, NamesMayBeAsLongAsNamesCanBe) {
   }
 }
 
-TEST_F(AtomicFile, TheCheckFindsWhatWritingWouldFindAndLeavesNothing) {
+TEST_F(AtomicFile, CheckFindsTheErrorsOfWritingAndLeavesNoFile) {
   EXPECT_NO_THROW(check_file_can_be_written(path("a.txt")));
   EXPECT_EQ(files(), 0U);
   write(path("a.txt"), "one");
@@ -123,7 +123,7 @@ TEST_F(AtomicFile, WriteProtectedFilesStayAsTheyAre) {
   write(path("a.txt"), "one");
   fs::permissions(path("a.txt"), fs::perms::owner_read | fs::perms::others_read);
   fs::permissions(path("."), fs::perms::all);
-  // As somebody whom protection stops.
+  // As a user without permission.
   const pid_t child = fork();
   if (child == 0) {
     constexpr uid_t kNobody = 65534;
@@ -146,7 +146,7 @@ TEST_F(AtomicFile, WriteProtectedFilesStayAsTheyAre) {
   EXPECT_EQ(files(), 1U);
 }
 
-TEST_F(AtomicFile, WhatKilledProcessesLeftIsRemoved) {
+TEST_F(AtomicFile, FilesOfKilledProcessesAreRemoved) {
   const pid_t child = fork();
   if (child == 0) _exit(0);
   int status = 0;

@@ -14,7 +14,7 @@ namespace ajar {
 
 namespace {
 
-/// Not to be used up: the rest of the program, and what estimates leave out.
+/// Reserve: the rest of the program, and omissions of estimates.
 constexpr double kUsableShare = 0.95;
 
 /// The number in a file that has nothing else; empty if there is none ("max", or no such file).
@@ -24,7 +24,7 @@ std::optional<std::uint64_t> number_in(const std::string& path) {
   return file >> number ? std::optional(number) : std::nullopt;
 }
 
-/// What the kernel can give: free, or used for caches, or swap. Linux counts in KiB.
+/// Memory that the kernel can give: free, used for caches, or swap. Linux counts in KiB.
 std::optional<std::uint64_t> free_on_machine() {
   std::ifstream file("/proc/meminfo");
   std::optional<std::uint64_t> bytes;
@@ -96,7 +96,7 @@ bool fits_into_memory(std::uint64_t bytes, std::uint64_t available) {
 }
 
 std::string memory_shortage(std::uint64_t bytes) {
-  // Below this, asking takes longer than it is worth.
+  // For fewer bytes the check costs more than the allocation.
   constexpr std::uint64_t kSmall = std::uint64_t{1} << 24U;
   if (bytes <= kSmall) return {};
   const std::uint64_t available = available_memory_bytes();

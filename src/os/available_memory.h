@@ -7,13 +7,13 @@ namespace ajar {
 /// Memory of the machine, bytes; 0 if unknown.
 std::uint64_t physical_memory_bytes();
 
-/// Memory that this process can still have without anybody being killed, bytes: what the machine
-/// can free and swap, within the limits of the control group (as batch schedulers set them) and of
-/// the process (`ulimit -v`); 0 if unknown.
+/// Memory that this process can still have without a process being killed, bytes: free or swappable
+/// memory, within the limits of the control group (as batch schedulers set them) and of the process
+/// (`ulimit -v`); 0 if unknown.
 std::uint64_t available_memory_bytes();
 
-/// Whether `bytes` more are fewer than that, with a reserve for what estimates leave out. True if
-/// it is unknown what there is.
+/// True if `bytes` more fit, with a reserve for omissions of estimates, or if the available memory
+/// is unknown.
 bool fits_into_memory(std::uint64_t bytes, std::uint64_t available);
 
 /// "needs 12.9 GB of memory, and 3.2 GB are free here", for the end of a sentence; empty if `bytes`

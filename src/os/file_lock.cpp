@@ -32,7 +32,7 @@ FileLock::FileLock(fs::path lock_file, const std::string& busy) : path_(std::mov
     if (file_ < 0) return;
     const bool is_locked = ::flock(file_, LOCK_EX | LOCK_NB) == 0;
     const bool is_busy = !is_locked && errno == EWOULDBLOCK;
-    // Whoever held it may have removed it since it was opened.
+    // Its holder may have removed it since it was opened.
     if (is_locked && is_open_at(file_, path_)) return;
     ::close(std::exchange(file_, -1));
     if (is_busy) throw IoError(busy);
@@ -45,7 +45,7 @@ FileLock::FileLock(FileLock&& other) noexcept
 
 FileLock::~FileLock() {
   if (file_ < 0) return;
-  // While it is still held: nobody else's is removed.
+  // Removed while it is still held, so that no other process's file is.
   ::unlink(path_.c_str());
   ::close(file_);
 }
@@ -54,7 +54,7 @@ fs::path lock_file_of(const fs::path& path) {
   std::error_code error;
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
   std::string name = target.filename().string();
-  constexpr std::size_t kLongestName = 200;  // of the 255 bytes that file systems have
+  constexpr std::size_t kLongestName = 200;  // below the 255 bytes of file systems
   if (name.size() > kLongestName) {
     name = name.substr(0, kLongestName) + std::to_string(std::hash<std::string>()(name));
   }

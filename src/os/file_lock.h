@@ -5,7 +5,7 @@
 namespace ajar {
 
 /// Keeps two programs from writing to the same place, until destroyed. It ends with the program,
-/// however that ends; a lock file that is left behind then holds nobody up.
+/// however that ends; stale lock files do not block.
 class FileLock {
  public:
   /// Raises IoError with the message `busy` if another program holds it. Where no lock can be made

@@ -24,7 +24,7 @@ class FileLockTest : public ::testing::Test {
   fs::path folder_;
 };
 
-TEST_F(FileLockTest, IsHeldOnceAndLeavesNothing) {
+TEST_F(FileLockTest, IsExclusiveAndLeavesNoFile) {
   const fs::path lock_file = lock_file_of(folder_ / "room.checkpoint");
   {
     const FileLock lock(lock_file, "busy");
@@ -35,7 +35,7 @@ TEST_F(FileLockTest, IsHeldOnceAndLeavesNothing) {
   EXPECT_NO_THROW(FileLock(lock_file, "busy"));
 }
 
-TEST_F(FileLockTest, FileThatAProgramLeftBehindHoldsNobodyUp) {
+TEST_F(FileLockTest, StaleFilesDoNotBlock) {
   const fs::path lock_file = lock_file_of(folder_ / "c");
   std::ofstream(lock_file) << "";
   EXPECT_NO_THROW(FileLock(lock_file, "busy"));

@@ -55,7 +55,7 @@ std::string reading_complaint(const std::string& path) {
 }
 
 FileBytes read_file(const std::string& path) {
-  // Non-blocking: what has become a pipe since it was named must not hang the program, either.
+  // Non-blocking: a file replaced by a pipe since it was named must not hang the program, either.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) fail("open", path, reason_of(errno));
   struct stat status = {};

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-/// The only way to input files. What is not a regular file is refused before it is opened or read:
-/// a named pipe or a terminal would be waited for, a device such as /dev/zero never ends.
+/// The only way to input files. Other than regular files are refused before they are opened or
+/// read: a named pipe or a terminal would be waited for, a device such as /dev/zero never ends.
 namespace ajar {
 
 /// The contents of a file, owned or borrowed.

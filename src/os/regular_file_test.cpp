@@ -69,7 +69,7 @@ TEST_F(RegularFile, LargerThanTheMemoryIsRefusedBeforeItIsRead) {
   EXPECT_NE(refusal_of(path("holes")).find("needs 8796.1 GB of memory, and "), std::string::npos);
 }
 
-TEST(AvailableMemory, IsFewerThanSomeNumberOfBytes) {
+TEST(AvailableMemory, FitsSmallRequestsOnly) {
   EXPECT_EQ(memory_shortage(1000), "");
   EXPECT_NE(memory_shortage(std::uint64_t{1} << 60U), "");
   EXPECT_TRUE(fits_into_memory(94, 100));

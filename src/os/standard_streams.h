@@ -1,18 +1,18 @@
 #pragma once
 #include <string_view>
 
-/// What the program says on stderr, and what it was asked for on stdout. A render goes on whatever
-/// becomes of those who read along: a closed terminal, a full disk, a pipe without a reader.
+/// Messages on stderr, results on stdout. A render goes on whatever becomes of its readers: a
+/// closed terminal, a full disk, a pipe without a reader.
 namespace ajar {
 
-/// Writes to stderr, for people and for programs that follow a render. What cannot be written is
-/// dropped: also where a reader has stopped reading, after waiting for it for a second. Raises
-/// nothing; thread-safe, but several calls may be mixed with those of other threads.
+/// Writes to stderr, for people and for programs that follow a render. Unwritable text is dropped:
+/// also where a reader has stopped reading, after waiting for it for a second. Raises nothing;
+/// thread-safe, but several calls may be mixed with those of other threads.
 void say(std::string_view text);
-/// The same on stdout, for scripts: what holds beyond what they are told, such as where a file is.
+/// Prints on stdout, for scripts: results such as the place of a file.
 void say_on_stdout(std::string_view text);
 
-/// Writes to stdout what a command was asked for. A reader that has seen enough (`| head`) is no
+/// Writes the result of a command to stdout. A reader that closes the pipe early (`| head`) is no
 /// error. Raises IoError if it cannot be written.
 void print_result(std::string_view text);
 

@@ -50,7 +50,7 @@ class StandardStreams : public ::testing::Test {
   std::array<int, 2> ends_{};
 };
 
-TEST_F(StandardStreams, TakeWhatIsSaid) {
+TEST_F(StandardStreams, AreWritten) {
   {
     const Redirected out(STDOUT_FILENO, ends_[1]);
     const Redirected err(STDERR_FILENO, ends_[1]);
@@ -61,7 +61,7 @@ TEST_F(StandardStreams, TakeWhatIsSaid) {
   EXPECT_EQ(read_some(), "to people\nto scripts\nresult\n");
 }
 
-TEST_F(StandardStreams, DropWhatCannotBeWritten) {
+TEST_F(StandardStreams, DropUnwritableText) {
   const int full = open("/dev/full", O_WRONLY);
   {
     const Redirected out(STDOUT_FILENO, full);
@@ -73,7 +73,7 @@ TEST_F(StandardStreams, DropWhatCannotBeWritten) {
   close(full);
 }
 
-TEST_F(StandardStreams, DropWhatNobodyReadsAndTakeItAgainLater) {
+TEST_F(StandardStreams, DropTextWhileThereIsNoReader) {
   const std::string more_than_fits(1 << 20, '.');
   {
     const Redirected err(STDERR_FILENO, ends_[1]);
@@ -85,7 +85,7 @@ TEST_F(StandardStreams, DropWhatNobodyReadsAndTakeItAgainLater) {
   EXPECT_EQ(read_some(), "heard again");
 }
 
-TEST_F(StandardStreams, ReaderWhoHasSeenEnoughIsNoError) {
+TEST_F(StandardStreams, ClosedPipeIsNoError) {
   close(ends_[0]);
   {
     const Redirected out(STDOUT_FILENO, ends_[1]);

@@ -10,7 +10,7 @@ struct PathHeuristics {
   /// docs/notebook/mutations.md, "When a walk back counts": half and double are each better in one
   /// scene and worse in another.
   static constexpr double kWalkTolerance = 1e-5;
-  /// It gives up after so many steps, those that are halved among them.
+  /// Most steps of a walk, halved ones included.
   /// Unit: steps. Range: >= 1. Source: docs/notebook/mutations.md, "Half and double of other
   /// numbers": half and double make no difference.
   static constexpr int kMostWalkSteps = 20;

@@ -21,7 +21,7 @@ class PathPrimaries final : public SampleSource {
   void set(SampleAddress address, float number);
   void set_pair(SampleAddress address, const Vec2& numbers);
 
-  /// Of vertex `vertex` of a subpath.
+  /// Primary numbers of vertex `vertex` of a subpath.
   using Block = std::array<float, static_cast<std::size_t>(Slot::kCount)>;
   const std::vector<Block>& blocks(Stream stream) const {
     return stream == Stream::Light ? light_ : camera_;
@@ -44,11 +44,11 @@ struct Inversion {
 };
 
 /// The numbers by which technique (s, t) of a `PathSampler` with these settings samples `path`, at
-/// `path.raster`. What the technique forgets of its numbers is taken from `fresh`, at the same
+/// `path.raster`. Numbers that the technique does not determine are taken from `fresh`, at the same
 /// addresses (docs/methods/inverses.md): if these are uniform, the result is distributed as the
-/// numbers of all samples that come to `path`. Light subpaths and tries of next event estimation
-/// are the first of their kind (repeat 0). Weak connections are taken to be traced:
-/// `PathSink::worth` is infinite.
+/// numbers of all samples that give `path`. Light subpaths and tries of next event estimation are
+/// the first of their kind (repeat 0). Weak connections are taken to be traced: `PathSink::worth`
+/// is infinite.
 ///
 /// Empty if the technique does not belong to the set or cannot make the path, or not by numbers in
 /// single precision.

@@ -13,8 +13,8 @@ double endpoint_cosine(const EndpointPoint& point, const Vec3& w) {
   return length_squared(point.surface.ng) > 0.F ? double{abs_dot(point.surface.ng, w)} : 1.0;
 }
 
-/// What turns a density of the direction from `x` (for endpoints at infinity: of the place where
-/// the ray crosses a plane) into one of vertex `y`, in its own measure.
+/// Jacobian from a density of the direction from `x` (for endpoints at infinity: of the place where
+/// the ray crosses a plane) to one of vertex `y`, in its own measure.
 double spread(const Scene& scene, const Path& path, int x, int y) {
   const int k = path.depth();
   const Endpoint* from = nullptr;
@@ -64,7 +64,7 @@ ByLane light_side(const Scene& scene, const Path& path, int count) {
   return pdf;
 }
 
-/// The same from the camera, for `count` ≥ 1.
+/// Density of the camera's side, for `count` ≥ 1.
 ByLane camera_side(const Scene& scene, const Path& path, int count) {
   ByLane pdf(1.0);
   for (int x = path.depth(); x > path.depth() - count; --x) {
@@ -183,7 +183,7 @@ ByLane technique_pdf_by_lane(const Scene& scene, const Path& path, Technique tec
   if (s + t != k + 1 || t < 1) return ByLane(0.0);
   if (s == 0) return path.light->discrete_position() ? ByLane(0.0) : camera_side(scene, path, t);
   if (k == 1) return ByLane(0.0);
-  // Those that the connection touches must scatter into more than single directions.
+  // Ends of the connection must scatter into more than single directions.
   for (const int x : {s - 1, s}) {
     if (x >= 1 && x < k && path.vertex(x).event.specular()) return ByLane(0.0);
   }

@@ -5,15 +5,15 @@
 #include "path/path.h"
 #include "transport/path_sampler.h"
 
-/// What a path is worth and how likely techniques are to make it: straight from the definitions,
-/// linear in the length of the path. Sources: Veach 1997, sections 8.3 and 10.2.
+/// Contribution of a path and densities of its techniques, straight from the definitions; linear in
+/// the length of the path.
 namespace ajar {
 
 /// A spectrum whose size neither floats nor doubles hold: products over many edges.
 struct ScaledSpectrum {
-  Spectrum spectrum{1.F};     ///< of the order of one
+  Spectrum spectrum{1.F};     ///< mantissa, of the order of one
   double scale = 1.0;         ///< 0, or within [1/2, 1) after a multiplication
-  std::int64_t exponent = 0;  ///< of the power of two that multiplies it
+  std::int64_t exponent = 0;  ///< power of two that multiplies it
   ScaledSpectrum& operator*=(const Spectrum& factor);
   ScaledSpectrum& operator*=(double factor);
   bool is_black() const { return scale == 0.0 || spectrum.is_black(); }
@@ -36,22 +36,22 @@ struct ScaledSpectrum {
 /// toward the camera, is left out (see `specular_spread`).
 ScaledSpectrum contribution(const Scene& scene, const Path& path);
 
-/// Whether a place on the film is one that light tracing, technique (s, 1), reaches.
+/// True if light tracing, technique (s, 1), reaches this place on the film.
 bool inside_image(const Scene& scene, const Vec2& raster);
 
-// Densities of single vertices, of which those of techniques are products. Vertices are what they
-// are to the side that is sampled from: those before are given. All are by the lane that distances
-// in media are sampled by, which is one for all vertices of a path, any: the density of several is
-// the mean over lanes of the product (`LogDensity`).
+// Densities of single vertices, of which those of techniques are products. The vertices before on
+// the sampled side are given. All are by the lane that distances in media are sampled by, which is
+// one for all vertices of a path, any: the density of several is the mean over lanes of the product
+// (`LogDensity`).
 
-/// What turns the density of the direction in which `from` is left (of endpoints at infinity: of
-/// the place where the ray crosses a plane) into that of its neighbour `to`, in the measure of that
-/// vertex: |cos θ| / d², and the probability to get there through what lies between.
+/// Jacobian from the density of the direction in which `from` is left (of endpoints at infinity: of
+/// the place where the ray crosses a plane) to that of its neighbour `to`, in the measure of that
+/// vertex: |cos θ| / d², and the transmission probability between.
 ByLane arrival_pdf(const Scene& scene, const Path& path, int from, int to);
 /// With which a subpath from the light goes on to vertex `x`; of x_0: with which it starts there.
 ByLane light_step_pdf(const Scene& scene, const Path& path, int x);
-/// The same from the camera, whose x_k is where it starts. Raster positions are uniform over the
-/// full image.
+/// Density of a step from the camera, whose x_k is where it starts. Raster positions are uniform
+/// over the full image.
 ByLane camera_step_pdf(const Scene& scene, const Path& path, int x);
 /// With which x_0 is chosen to light x_1.
 double next_event_pdf(const Scene& scene, const Path& path);
@@ -64,18 +64,18 @@ ByLane technique_pdf_by_lane(const Scene& scene, const Path& path, Technique tec
 /// By whichever lane.
 double technique_pdf(const Scene& scene, const Path& path, Technique technique);
 
-/// What the delta over the direction toward the light is of that over the direction toward the
+/// Ratio of the delta over the direction toward the light to that over the direction toward the
 /// camera, at specular vertex x: (η² |cos θ_s|)_light / (η² |cos θ_s|)_camera, θ_s to the shading
 /// normal. f / p of a technique that samples x from the light has it as a factor
 /// (docs/methods/notation.md, "Deltas").
 double specular_spread(const Scene& scene, const Path& path, int x);
 
-/// f / p: what one try of the technique that makes this path brings, without MIS weight. Black if
-/// the technique cannot.
+/// f / p: contribution of one try of the technique that makes this path, without MIS weight. Black
+/// if the technique cannot.
 Spectrum throughput(const Scene& scene, const Path& path, Technique technique);
 
-/// How often a technique is tried for one camera sample, on average (techniques (s, 1): per pixel
-/// of the full image).
+/// Expected tries of a technique for one camera sample (techniques (s, 1): per pixel of the full
+/// image).
 double tries(const PathSamplerSettings& settings, Technique technique);
 
 /// MIS weight of a technique over the settings' set, counts and heuristic included. By each lane it

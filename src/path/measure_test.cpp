@@ -10,7 +10,7 @@
 namespace ajar {
 namespace {
 
-TEST(ScaledSpectrum, HoldsWhatFloatsDoNot) {
+TEST(ScaledSpectrum, ExceedsTheRangeOfFloats) {
   ScaledSpectrum product;
   for (int i = 0; i < 40; ++i) product *= Spectrum(1e-6F, 2e-6F, 0.F);
   // A lane that falls behind by more than floats span is nothing beside the others.

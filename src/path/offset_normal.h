@@ -9,7 +9,8 @@ namespace ajar {
 struct TangentPlane {
   Vec3d x, y;
 };
-/// The axis of which the first tangent is what is left across `n`: x, or y where n is near x.
+/// The axis that is projected onto the plane across `n` for the first tangent: x, or y where n is
+/// near x.
 Vec3d axis_beside(const Vec3d& n);
 /// Perpendicular to a unit vector, which alone decides them.
 TangentPlane plane_across(const Vec3d& n);

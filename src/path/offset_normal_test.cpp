@@ -69,7 +69,7 @@ TEST(OffsetNormal, ChangesWithDirectionsAsDifferencesDo) {
   }
 }
 
-TEST(OffsetNormal, OfNoFacetThereIsNone) {
+TEST(OffsetNormal, IsEmptyWithoutAFacet) {
   const InnerVertex vertex = frosted(true);
   EXPECT_FALSE(turn(vertex, false, {0.8, 0.7}, kAbove)) << "no unit vector";
   EXPECT_FALSE(turn(vertex, true, {0.9, -0.2}, kBelow)) << "total reflection";

@@ -12,17 +12,17 @@ inline Hit bare_hit(const Vec3& p) {
   return {{0.F, 0, 0, EndpointPoint::at(p).surface, false}, nullptr, nullptr, nullptr, 0, 0};
 }
 
-/// A vertex of a path between its ends: x_1 … x_{k-1}, on a surface or in a medium. Whatever is
-/// needed to scatter there again, in any direction, is held by value.
+/// A vertex of a path between its ends: x_1 … x_{k-1}, on a surface or in a medium. The state to
+/// scatter there again, in any direction, is held by value.
 struct InnerVertex {
-  Hit hit = bare_hit(Vec3(0.F));  ///< of the surface; inside a medium only the place
+  Hit hit = bare_hit(Vec3(0.F));  ///< hit of the surface; inside a medium only the position
   /// Inside a medium, this one; on surfaces that rays cross without changing their medium, theirs.
   const Medium* medium = nullptr;
   bool in_medium = false;
-  /// How it scatters on this path: by which specular lobe, or by all rough ones; to which side. In
-  /// a medium neither.
+  /// Scattering event on this path: a specular lobe, or all rough ones; and the side. Unset in a
+  /// medium.
   ScatterEvent event;
-  Bsdf bsdf;  ///< of the surface, as its material makes it of `hit.point`
+  Bsdf bsdf;  ///< BSDF of the surface, made by its material at `hit.point`
 
   const Vec3& p() const { return hit.point.p; }
   /// f · |cos θ|, or the phase function, of the rough lobes.
@@ -34,7 +34,7 @@ struct InnerVertex {
   float cosine(const Vec3& w) const { return in_medium ? 1.F : abs_dot(hit.point.ng, w); }
   /// The medium that a ray leaving along `w` is in.
   const Medium* medium_toward(const Vec3& w) const;
-  /// Of no medium on surfaces.
+  /// Without a medium on surfaces.
   MediumPoint scattered_in() const { return {in_medium ? medium : nullptr, p()}; }
   /// Where a ray leaving along `w` starts.
   Vec3 ray_origin(const Vec3& w) const {
@@ -45,7 +45,7 @@ struct InnerVertex {
     return in_medium ? p() : offset_ray_end(p(), hit.point.ng, w, distance);
   }
   bool connectible() const { return in_medium || bsdf.connectible(); }
-  /// Whether it adds nothing to the depth that counts.
+  /// True for a vertex that does not count in the depth.
   bool is_uncounted() const { return !in_medium && bsdf.is_uncounted(event); }
 };
 
@@ -75,7 +75,7 @@ struct Path {
   Vec3 toward_light(const Scene& scene, int x) const;
   /// From x to x + 1, for x < k.
   Vec3 toward_camera(const Scene& scene, int x) const;
-  /// Of the vertex, where it has a place: not at infinity.
+  /// Position of a vertex that is not at infinity.
   const Vec3& position(int x) const;
   /// Between two vertices that have a place.
   double squared_distance(int x, int y) const {
@@ -84,14 +84,14 @@ struct Path {
   }
 };
 
-/// Whether a camera that hides lights sees this edge: all between the two are events that do not
-/// count, and interfaces.
+/// True if a camera that hides lights sees this edge: all vertices between are uncounted events and
+/// interfaces.
 bool is_seen_past_lights(const Scene& scene, const Path& path, int edge);
-/// Whether the light of the path, or a surface on its way that shines, is hidden from the camera.
+/// True if the light of the path, or an emissive surface on its way, is hidden from the camera.
 bool is_hidden(const Scene& scene, const Path& path);
 
-/// Sets `event.transmission` of the vertices that scatter by rough lobes: what no one has sampled
-/// says nothing of it.
+/// Sets `event.transmission` of the vertices that scatter by rough lobes; unsampled events leave it
+/// unset.
 void mark_sides(const Scene& scene, Path& path);
 
 }  // namespace ajar

@@ -40,7 +40,7 @@ TEST(Path, CopiesOverOneAsLongWithoutAllocation) {
   }
 }
 
-TEST(Path, EdgesAreInterruptedByWhatIsPutBetween) {
+TEST(Path, EdgesAreInterruptedByInsertedVertices) {
   const auto scene = plain_scene();
   RayCounts rays;
   int checked = 0;
@@ -76,7 +76,7 @@ TEST(PathInversion, IsEmptyWhereTheTechniqueCannotMakeThePath) {
   }
 }
 
-TEST(PathInversion, TakesWhatIsForgottenFromFreshNumbers) {
+TEST(PathInversion, DrawsLostNumbersAfresh) {
   const auto scene = plain_scene();
   const PathSamplerSettings settings = testing::all_techniques();
   for (const auto& [path, technique] : recorded(*scene, settings, 50)) {
@@ -86,7 +86,8 @@ TEST(PathInversion, TakesWhatIsForgottenFromFreshNumbers) {
     PathPrimaries& numbers = inversion->numbers;
     EXPECT_EQ(numbers.blocks(Stream::Camera).size(), static_cast<std::size_t>(technique.t));
     EXPECT_EQ(numbers.blocks(Stream::Light).size(), static_cast<std::size_t>(technique.s));
-    // A pinhole has no place, matte surfaces have one lobe, and nobody asks beyond the path.
+    // A pinhole has no place, matte surfaces have one lobe, and there are no numbers beyond the
+    // path.
     for (const SampleAddress address : {SampleAddress(Stream::Camera, 0, kEmissionPosition),
                                         SampleAddress(Stream::Light, 9, Slot::LightPositionX)}) {
       EXPECT_EQ(numbers.get_pair(address), fresh.get_pair(address));
@@ -96,7 +97,7 @@ TEST(PathInversion, TakesWhatIsForgottenFromFreshNumbers) {
   }
 }
 
-TEST(PathArchive, RefusesWhatTheSceneDoesNotHave) {
+TEST(PathArchive, RefusesUnknownIds) {
   const auto scene = plain_scene();
   const Path path = recorded(*scene, testing::all_techniques(), 50).front().first;
   const auto load = [&](const std::string& bytes) {

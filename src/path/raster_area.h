@@ -25,7 +25,8 @@ struct RasterArea {
   double area() const { return static_cast<double>(size.x) * static_cast<double>(size.y); }
 };
 
-/// Of the full image, pixels²: densities over it are those over the unit square, divided by this.
+/// Area of the full image, pixels²: densities over it are those over the unit square, divided by
+/// this.
 inline double image_area(const Vec2i& resolution) {
   return static_cast<double>(resolution.x) * static_cast<double>(resolution.y);
 }

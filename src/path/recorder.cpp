@@ -57,7 +57,7 @@ void PathRecorder::assemble(const Contribution& contribution) {
     path_.vertices.insert(path_.vertices.end(), light->vertices.begin(),
                           light->vertices.begin() + (s - 1));
   }
-  // Of technique (0, t) the last camera vertex is the light.
+  // The last camera vertex of technique (0, t) is the light.
   const int of_camera = s == 0 ? t - 2 : t - 1;
   for (int i = of_camera - 1; i >= 0; --i) {
     path_.vertices.push_back(camera_.vertices[static_cast<std::size_t>(i)]);

@@ -23,9 +23,9 @@ class PathRecorder : public PathSink {
     std::vector<InnerVertex> vertices;  ///< with the event by which the subpath left them
   };
 
-  /// Before each call of the sampler that traces subpaths, with what it is told of the film. What
-  /// was traced before stays until something takes its place: so `sample_light` and `sample` may
-  /// follow each other, and one half of a path may stay while others are traced for the other.
+  /// Called before each call of the sampler that traces subpaths, with its raster position. Earlier
+  /// subpaths stay until replaced: so `sample_light` and `sample` may follow each other, and one
+  /// half of a path may stay while others are traced for the other.
   void begin(const Vec2& raster);
   // For chains, which may go back to a half after another was tried.
   Subpath& light_half() { return light_.front(); }
@@ -41,13 +41,13 @@ class PathRecorder : public PathSink {
   std::uint64_t lost() const { return lost_; }
 
  protected:
-  /// Whether a path is to be made of it: what is not wanted costs no ray.
+  /// True if a path is to be recorded; others cost no ray.
   virtual bool wants(const Contribution& /*contribution*/) { return true; }
   /// `path` is overwritten by the next one.
   virtual void record(const Path& path, const Contribution& contribution) = 0;
   const Scene& scene() const { return scene_; }
   const PathSamplerSettings& settings() const { return settings_; }
-  /// Of the camera subpath.
+  /// Raster position of the camera subpath.
   const Vec2& raster() const { return raster_; }
 
  private:

@@ -11,8 +11,8 @@ namespace ajar {
 std::optional<Path> replay(const Scene& scene, const PathSamplerSettings& settings,
                            SampleSource& numbers, const Vec2& raster, Technique technique);
 
-/// The same by its two halves alone, for samplers whose paths all have the technique's depth.
-/// `rays` is told what it takes.
+/// Replays the two halves alone, for samplers whose paths all have the technique's depth. `rays`
+/// counts its rays.
 std::optional<Path> replay_halves(const Scene& scene, const PathSamplerSettings& settings,
                                   SampleSource& numbers, const Vec2& raster, Technique technique,
                                   RayCounts& rays);

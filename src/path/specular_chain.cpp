@@ -23,7 +23,7 @@ double determinant(const Block& a) { return a[0] * a[3] - a[1] * a[2]; }
 std::optional<Block> inverse(const Block& a) {
   const double d = determinant(a);
   const double size = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3];
-  // What is left of the determinant is roundings.
+  // The remaining determinant is rounding error.
   if (!(std::abs(d) > 1e-12 * size) || !std::isfinite(size)) return std::nullopt;
   return Block{a[3] / d, -a[1] / d, -a[2] / d, a[0] / d};
 }
@@ -51,7 +51,7 @@ Vec3d part_across(const Vec3d& v, const Vec3d& w) { return v - w * w.dot(v); }
 
 ChainEnd at(const InnerVertex& vertex) { return {Vec3d(vertex.p()), Vec3d(0.0), false}; }
 
-/// How a vertex scatters.
+/// Scattering of a vertex.
 struct Optics {
   double eta;  ///< on the side of the end over that on the side of the start
   bool straight;
@@ -172,7 +172,7 @@ bool SpecularChain::set(const ChainEnd& start, std::span<const InnerVertex> vert
     const TangentPlane last = plane_across(b.w);
     end_x_ = last.x;
     end_y_ = last.y;
-    // Of an end at infinity the direction itself is what moves.
+    // An end at infinity moves by its direction.
     if (end.at_infinity) b.per_move = 1.0;
     link.after = project(plane, change(b, end_x_), change(b, end_y_));
   }

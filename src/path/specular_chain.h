@@ -14,11 +14,11 @@ struct ChainEnd {
   Vec3d toward{0.0};  ///< at infinity: unit, from the scene
   bool at_infinity = false;
 };
-/// Of vertex `x` < k of a path.
+/// End of a chain at vertex `x` < k of a path.
 ChainEnd chain_end(const Path& path, int x);
 
-/// Whether a vertex may be one of a chain: not if it is in a medium, has a texture as its index of
-/// refraction, or is specular with a bump or a normal map.
+/// True if a vertex may be part of a chain: not in a medium, with a textured index of refraction,
+/// or specular with a bump or a normal map.
 bool can_hold(const InnerVertex& vertex);
 
 /// A specular chain a, s₁ … sₙ, b, to first order: how its vertices move with its end b while a
@@ -39,14 +39,14 @@ class SpecularChain {
   bool set(const ChainEnd& start, std::span<const InnerVertex> vertices, const ChainEnd& end,
            std::span<const OffsetNormal> offsets = {});
 
-  /// By how much s_{i+1} moves (i from 0) if the end moves by `by`, of which what is along the last
-  /// ray does not count; of an end at infinity: the direction `toward` it.
+  /// Movement of s_{i+1} (i from 0) if the end moves by `by`, whose part along the last ray does
+  /// not count; of an end at infinity: the direction `toward` it.
   Vec3d moved(std::size_t i, const Vec3d& by) const;
   /// The most by which any vertex moves, over that by which the end does.
   double largest_move() const;
-  /// Whether the constraints turn over as the vertices move: of two chains between the same ends
-  /// that become one at the border of a caustic, one is mirrored and the other is not, as the
-  /// determinant of their derivatives is 0 in between.
+  /// True if the determinant of the derivatives of the constraints is negative. Of two chains
+  /// between the same ends that merge at the border of a caustic, one is mirrored and the other is
+  /// not.
   bool is_mirrored() const { return mirrored_; }
   /// |dω_a / dA_b|, the chain's generalised geometric term without the cosines at its ends: the
   /// solid angle at a (of a direction at infinity: area across it) over the area at b across the
@@ -59,7 +59,7 @@ class SpecularChain {
   struct Link {
     Vec3d x, y;                ///< orthonormal tangents of the surface
     Block before, own, after;  ///< derivatives of the constraint, by neighbours and itself
-    Block by_end;              ///< of the vertex
+    Block by_end;              ///< derivative by the vertex
   };
 
   const Scene& scene_;

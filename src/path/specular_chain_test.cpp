@@ -21,11 +21,11 @@ namespace {
 struct Case {
   std::string name;
   std::vector<desc::Shape> shapes;
-  std::vector<bool> transmissions;  ///< of the events
+  std::vector<bool> transmissions;  ///< one per event
   double eta = 1.5;
   Vec3 start{0.3F, -0.2F, 4.F};
   Vec3 direction{-0.06F, 0.09F, -1.F};
-  std::vector<OffsetNormal> offsets = {};  ///< of rough surfaces; none if they are smooth
+  std::vector<OffsetNormal> offsets = {};  ///< offsets of rough surfaces; none if they are smooth
 };
 
 /// Triangles over [−2, 2]² whose normals are those of waves.
@@ -102,7 +102,7 @@ std::unique_ptr<Scene> scene_of(const Case& c) {
   return std::make_unique<Scene>(description_of(c), BuildOptions{}, warnings);
 }
 
-/// What a ray does: its vertices, and the ray that leaves the last of them.
+/// A traced ray: its vertices, and the ray that leaves the last of them.
 struct Traced {
   std::vector<InnerVertex> vertices;
   Vec3d last;
@@ -193,8 +193,8 @@ TEST(SpecularChain, SpreadAndMovesAreThoseOfRaysBeside) {
   }
 }
 
-/// Beyond a focus rays beside have crossed, and beyond two again: with the constraints turns what a
-/// bundle of rays looks like.
+/// Beyond a focus neighbouring rays have crossed, and beyond two again: the constraints change sign
+/// with the orientation of a bundle of rays.
 TEST(SpecularChain, IsMirroredWhereRaysBesideHaveCrossed) {
   int once = 0;
   int not_or_twice = 0;
@@ -218,7 +218,7 @@ TEST(SpecularChain, IsMirroredWhereRaysBesideHaveCrossed) {
           moved[side++] = beside->last + beside->w * way - end;
         }
         const double area = moved[0].cross(moved[1]).dot(middle->w);
-        // Near a focus it cannot be told.
+        // Near a focus it is undefined.
         if (std::abs(area) < 0.05 * moved[0].length() * moved[1].length()) continue;
         SpecularChain chain(*scene);
         ASSERT_TRUE(chain.set({Vec3d(c.start)}, middle->vertices, {end}, c.offsets));
@@ -308,8 +308,8 @@ std::vector<Vec3d> search(const Scene& scene, const Case& c, const Vec3d& target
   return found;
 }
 
-/// A walk comes to one of the chains that there are, and back to that it set off from.
-TEST(ManifoldWalk, ComesToAChainThatASearchFindsAndBack) {
+/// A walk arrives at one of the chains that there are, and returns to its own.
+TEST(ManifoldWalk, ReachesTheChainOfASearchAndReturns) {
   for (const Case& c : cases()) {
     if (!c.name.ends_with("Ball") && c.name != "Slab" && !c.name.ends_with("Waves")) continue;
     if (c.name == "MirrorBall" || c.name == "InsideOfBall") continue;
@@ -317,7 +317,7 @@ TEST(ManifoldWalk, ComesToAChainThatASearchFindsAndBack) {
     const auto scene = scene_of(c);
     const auto from = trace(*scene, c, Vec3d(c.direction));
     ASSERT_TRUE(from);
-    // Of a ball, before its focus: beyond there are several chains, and walks may come to any.
+    // Before the focus of a ball: beyond there are several chains, and walks may converge to any.
     const Vec3d old_end = from->last + from->w * 0.3;
     ChainStart start;
     start.end = {Vec3d(c.start)};
@@ -345,7 +345,7 @@ TEST(ManifoldWalk, ComesToAChainThatASearchFindsAndBack) {
   }
 }
 
-TEST(ManifoldWalk, GivesUpWhereNoChainLeads) {
+TEST(ManifoldWalk, GivesUpWithoutASolution) {
   const Case c = cases().front();
   const auto scene = scene_of(c);
   const auto from = trace(*scene, c, Vec3d(c.direction));

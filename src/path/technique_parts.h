@@ -8,8 +8,9 @@
 
 namespace ajar {
 
-/// What each technique of a sampler's set finds of one path: all of them together in time linear in
-/// the length of the path, where `mis_weight` and `throughput` (measure.h) take that for one.
+/// Contribution and weight of each technique of a sampler's set for one path: all of them together
+/// in time linear in the length of the path, where `mis_weight` and `throughput` (measure.h) need
+/// that for each.
 class TechniqueParts {
  public:
   /// For samplers with these settings. The scene must outlive it.
@@ -18,11 +19,11 @@ class TechniqueParts {
 
   struct Part {
     double weight = 0.0;  ///< MIS weight; 0 if the technique does not make the path
-    /// Luminance of what one try brings, as `Contribution::value` has it: MIS weight in it, what is
-    /// owed to chance not.
+    /// Luminance of the contribution of one try, as `Contribution::value` has it: with its MIS
+    /// weight, without its roulette weight.
     double light = 0.0;
   };
-  /// Of technique (s, k + 1 − s), for s = 0 … k; valid until it is asked again. `log_light`: ln
+  /// Parts of techniques (s, k + 1 − s), for s = 0 … k; valid until the next call. `log_light`: ln
   /// luminance(f), f the `contribution` of the path.
   std::span<const Part> of(const Path& path, double log_light);
 
@@ -33,7 +34,7 @@ class TechniqueParts {
   PathSamplerSettings settings_;
   // By s, logarithms: no double holds the densities of long paths.
   std::vector<LogDensity> densities_;  ///< tries · density, as MIS weights have it
-  std::vector<double> spreads_;  ///< what deltas that are sampled from the light multiply f by
+  std::vector<double> spreads_;        ///< factors of f by deltas that are sampled from the light
   std::vector<Part> parts_;
 };
 

@@ -10,11 +10,12 @@
 namespace ajar {
 
 namespace {
-/// What single precision makes of positions, seen through a few sharp lobes.
+/// Error of positions in single precision, seen through a few sharp lobes.
 constexpr float kDirection = 2e-3F;
 constexpr double kRelative = 0.02;
 
-/// Of positions, in units of the film's longer side. Beside it are roundings of positions.
+/// Tolerance of positions, in units of the film's longer side. Beside it are roundings of
+/// positions.
 constexpr float kOnFilm = 1e-4F;
 
 /// Relative error of the squares of lengths: positions are rounded in their last digits, and events

@@ -27,7 +27,7 @@ float luma_at(const Plane& luma, Vec2i p) {
   return luma.at(std::clamp(p.x, 0, luma.size.x - 1), std::clamp(p.y, 0, luma.size.y - 1));
 }
 
-/// What is blended into a pixel.
+/// Neighbour that is blended into a pixel, and its weight.
 struct Blend {
   Vec2i neighbour{0, 0};
   float share = 0.F;
@@ -45,7 +45,7 @@ bool has_contrast(const Plane& luma, Vec2i p) {
                                 PostHeuristics::kSmallestRelativeContrast * high);
 }
 
-/// How much luma bends in direction `across`, over three rows that lie side by side along `along`.
+/// Curvature of luma in direction `across`, over three rows that lie side by side along `along`.
 float bend(const Plane& luma, Vec2i p, Vec2i across, Vec2i along) {
   const auto second_difference = [&](Vec2i q) {
     return std::abs(luma_at(luma, q - across) - 2.F * luma_at(luma, q) + luma_at(luma, q + across));
@@ -56,7 +56,7 @@ float bend(const Plane& luma, Vec2i p, Vec2i across, Vec2i along) {
 /// Where a stair ends.
 struct StairEnd {
   float distance;  ///< pixels, from the middle of the pixel
-  float change;    ///< of the luma on the edge; 0 if no end was found
+  float change;    ///< change of the luma on the edge; 0 if no end was found
 };
 
 /// Follows the edge between `p` and `p + across` in steps of `along`.
@@ -89,8 +89,8 @@ Blend find_blend(const Plane& luma, Vec2i p) {
   const StairEnd before = follow_edge(luma, p, across, -along, edge_luma, least_change);
   const StairEnd after = follow_edge(luma, p, across, along, edge_luma, least_change);
   const StairEnd& nearer = before.distance < after.distance ? before : after;
-  // The line through the stairs reaches into this pixel if beyond the nearer end there is more of
-  // what is across the edge; else it reaches into the pixel there.
+  // The line through the stairs reaches into this pixel if the luma beyond the nearer end changes
+  // toward that across the edge; else it reaches into the pixel there.
   if (nearer.change * step <= 0.F) return {};
   return {p + across, 0.5F - nearer.distance / (before.distance + after.distance)};
 }

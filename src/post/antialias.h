@@ -7,9 +7,9 @@
 
 namespace ajar {
 
-/// Smooths the stairs of slanted edges in a display picture (3 values in [0, 1] per pixel, encoded
-/// as they are shown), where a mask in [0, 1] allows it; the mask scales what is done, and where it
-/// is 0 the picture stays the same to the bit.
+/// Smooths the stairs of slanted edges in a display picture (3 values in [0, 1] per pixel,
+/// display-encoded), where a mask in [0, 1] allows it; the mask scales the change, and where it is
+/// 0 the picture stays the same to the bit.
 ///
 /// At a pixel with an edge in luma, the edge is followed to both sides, up to 32 pixels, until it
 /// ends: a stair. A straight edge through the middles of the stairs would cover up to half of the

@@ -90,7 +90,7 @@ TEST(Antialias, LeavesEvenPicturesAndStraightEdgesAlone) {
   }
 }
 
-TEST(Antialias, LeavesWhatCannotBeSeenAlone) {
+TEST(Antialias, KeepsInvisibleEdges) {
   const Vec2i size(30, 20);
   auto pixels = picture_of(size, 1, [](double x, double y) { return y > 10.0 + 0.2 * (x - 15.0); });
   for (float& value : pixels) value = 0.5F + 0.02F * value;
@@ -138,7 +138,7 @@ TEST(Antialias, StaysBetweenThePixelsItBlends) {
   }
 }
 
-TEST(Antialias, RefusesWhatDoesNotFit) {
+TEST(Antialias, RefusesOtherSizes) {
   EXPECT_THROW(antialias(Vec2i(2, 2), std::vector<float>(12), Plane(Vec2i(4, 1))),
                std::invalid_argument);
   EXPECT_THROW(antialias(Vec2i(2, 2), std::vector<float>(4), Plane(Vec2i(2, 2))),

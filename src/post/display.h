@@ -4,7 +4,7 @@
 
 namespace ajar {
 
-/// How a picture is shown on a display.
+/// Options for the display of a picture.
 struct DisplayOptions {
   ToneMap tone_map = ToneMap::Srgb;
   float exposure = 0.F;    ///< stops

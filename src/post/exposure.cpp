@@ -24,7 +24,7 @@ double light_of(const float* rgb) {
   return y > 0.0 ? std::min(y, kBrightest) : 0.0;
 }
 
-/// Of the blocks that have light, in ascending order.
+/// Luminances of the blocks that have light, in ascending order.
 std::vector<double> block_luminances(std::span<const float> rgb, Vec2i size) {
   const int side = (std::max(size.x, size.y) + kBlocksAlong - 1) / kBlocksAlong;
   std::vector<double> means;

@@ -4,7 +4,7 @@
 #include "core/vector.h"
 #include "image/tone_curve.h"
 
-/// How much a picture should be brightened for the eye, and how much of it is lost.
+/// Exposure of a picture for display, and how much of it is clipped.
 namespace ajar {
 
 /// The most stops that a picture may be brightened or darkened by.
@@ -14,16 +14,16 @@ inline constexpr float kMostStops = 64.F;
 /// at: the median of its luminance becomes middle grey (0.18), or less where more than a quarter of
 /// it would be beyond white. 0 for a picture without light.
 ///
-/// The median is that of the means of square blocks, 32 along the longer side, so that a few bright
-/// samples in the noise are the light that they stand for. Blocks without light do not count.
-/// Neither fireflies decide, nor a lamp in the picture, nor the night around it. Source: Reinhard
-/// et al. 2002, for the key of 0.18; the rest is ours.
+/// The median is that of the means of square blocks, 32 along the longer side, so that sparse
+/// bright samples count as their mean. Blocks without light do not count. Fireflies, a lamp in the
+/// picture, or the night around it have little influence. Source: Reinhard et al. 2002, for the key
+/// of 0.18; the rest is ours.
 float fitting_exposure(std::span<const float> rgb, Vec2i size);
 
-/// What of a picture shows nothing, by the luminance of its pixels; shares of them.
+/// Shares of a picture's pixels that are clipped, by luminance.
 struct Clipping {
   double white = 0.0;  ///< as bright as white: 255 of 255
-  double black = 0.0;  ///< too dark to tell from black: at most 6 of 255
+  double black = 0.0;  ///< as dark as black: at most 6 of 255
 };
 Clipping clipping(std::span<const float> rgb, ToneMap curve, float exposure);
 

@@ -43,8 +43,8 @@ TEST(Exposure, IsNotDecidedByFireflies) {
   }
 }
 
-TEST(Exposure, OfNoiseIsThatOfTheLightItStandsFor) {
-  // What most samples miss one in fifty finds.
+TEST(Exposure, OfNoiseIsThatOfItsMean) {
+  // Light of one pixel in fifty, which most samples miss, is found.
   const auto rgb = picture([](int x, int y) { return (x + 7 * y) % 50 == 0 ? 9.F : 0.F; });
   EXPECT_NEAR(exposure_of(rgb), 0.F, 0.2F);
 }
@@ -62,7 +62,7 @@ TEST(Exposure, LeavesThreeQuartersBelowWhite) {
   EXPECT_EQ(exposure_of(halves), 0.F);
 }
 
-TEST(Exposure, ClippingCountsPixelsThatShowNothing) {
+TEST(Exposure, ClippingCountsBlackAndWhitePixels) {
   const auto halves = picture([](int x, int) { return x < kSize.x / 4 ? 2.F : 0.001F; });
   EXPECT_DOUBLE_EQ(clipping(halves, ToneMap::Srgb, 0.F).white, 0.25);
   EXPECT_DOUBLE_EQ(clipping(halves, ToneMap::Srgb, 0.F).black, 0.75);

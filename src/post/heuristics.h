@@ -61,7 +61,7 @@ struct PostHeuristics {
   /// Differences that count as large.
   /// Unit: standard deviations. Range: (0, 4]. Source: docs/notebook/denoising.md.
   static constexpr float kRegressionTolerance = 0.7F;
-  /// Added to the variance of what explains the light: slopes that little supports are small.
+  /// Added to the variance of regressors: slopes with little support are small.
   /// Unit: features and windows squared. Range: (0, 1]. Source: docs/notebook/denoising.md.
   static constexpr float kRidge = 1e-3F;
   /// Patch over which the variance of a pixel is averaged.
@@ -70,14 +70,14 @@ struct PostHeuristics {
   /// A pixel counts at most as so much light as those around it.
   /// Unit: their mean. Range: >= 2. Source: docs/notebook/denoising.md.
   static constexpr float kBrightestPixel = 10.F;
-  /// Those around it.
+  /// Neighbourhood of that mean.
   /// Unit: pixels to either side. Range: [1, 8]. Source: docs/notebook/denoising.md.
   static constexpr int kAroundPixel = 3;
   /// Patch over which a finer picture is compared with a coarser one.
   /// Unit: pixels of the coarser one to either side. Range: [1, 16]. Source:
   /// docs/notebook/denoising.md.
   static constexpr int kScalePatch = 5;
-  /// What must be beyond doubt for the finer one to be right.
+  /// Confidence required to prefer the finer one.
   /// Unit: standard errors. Range: >= 0. Source: docs/notebook/denoising.md.
   static constexpr float kScaleDoubt = 2.F;
 };

@@ -21,8 +21,8 @@ inline constexpr float kMaxCoordinate = 6e17F;
 /// gets a warning.
 inline constexpr float kMinRadius = 1e-8F;
 
-/// Raises SceneError, located at `where`, if `reach`, the largest coordinate of what is described
-/// there, is more than `kMaxCoordinate` or not a number.
+/// Raises SceneError, located at `where`, if `reach`, the largest coordinate of the object
+/// described there, is more than `kMaxCoordinate` or not a number.
 void check_reach(const SourceLocation& where, const std::string& what, double reach);
 
 /// Largest coordinate of a box, of either sign; 0 if it is empty.

@@ -13,7 +13,7 @@ class DirectionMap {
  public:
   struct Local {
     Vec3 w;         ///< unit
-    float stretch;  ///< dω_local / dω_world: what turns a local density into one in the world
+    float stretch;  ///< dω_local / dω_world: factor of a local density in the world
   };
 
   /// Identity.
@@ -41,8 +41,8 @@ class DirectionMap {
   Vec3 vector_to_local(const Vec3& world) const { return world * to_local_; }
   /// Unit image of a direction.
   Vec3 to_world(const Vec3& local) const { return normalize(vector_to_world(local)); }
-  /// Of a unit direction. A linear map with determinant D takes the solid angle at unit w to
-  /// |D| / |image of w|³ times itself.
+  /// Maps a unit direction. A linear map with determinant D scales the solid angle at unit w by |D|
+  /// / |image of w|³.
   Local to_local(const Vec3& w) const {
     const Vec3 v = vector_to_local(w);
     const float squared = length_squared(v);

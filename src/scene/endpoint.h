@@ -10,9 +10,9 @@
 
 namespace ajar {
 
-/// Where a path starts or ends: a point on a light or on the lens. Made by the endpoint itself
-/// (`sample_emission`, `sample_connection`, `Light::at_direction`) or, on surfaces, from what a ray
-/// hit; hand it back to the same endpoint unchanged.
+/// An end of a path: a point on a light or on the lens. Made by the endpoint itself
+/// (`sample_emission`, `sample_connection`, `Light::at_direction`) or, on surfaces, from a ray's
+/// hit; it is passed back to that endpoint unchanged.
 struct EndpointPoint {
   /// p, ng, uv. Endpoints without a surface (pinhole, point light, infinity) have ng = 0. At
   /// infinity p is meaningless, except for orthographic cameras: where the ray crosses the film
@@ -78,7 +78,7 @@ struct ConnectionSample {
   /// Emitted radiance (importance) toward the reference · G / pdf without the cosine at the
   /// reference: G = |cos θ at the endpoint| / d² for surfaces, 1/d² for points, 1 at infinity.
   Spectrum weight;
-  Pdf<VertexMeasure> pdf;  ///< of the endpoint, given the reference
+  Pdf<VertexMeasure> pdf;  ///< density of the endpoint, given the reference
 };
 
 /// Common interface of lights and cameras, so that subpaths from either end are the same code.
@@ -99,8 +99,8 @@ class Endpoint {
   /// Densities with which `sample_emission` gives this vertex and this direction of travel.
   virtual EmissionPdf emission_pdf(const EndpointPoint& point, const Vec3& w) const = 0;
   /// The numbers by which `sample_emission` gives this vertex and the ray along `w` through the
-  /// point `through`. What it forgets is taken from `fresh` (docs/methods/inverses.md); the density
-  /// of the numbers is that of `emission_pdf`. Empty if it never does.
+  /// point `through`. Undetermined numbers are taken from `fresh` (docs/methods/inverses.md);
+  /// the density of the numbers is that of `emission_pdf`. Empty if it never does.
   virtual std::optional<EmissionUniforms> invert_emission(const EndpointPoint& point,
                                                           const Vec3& through, const Vec3& w,
                                                           const EmissionUniforms& fresh) const = 0;

@@ -119,7 +119,7 @@ TEST(FarGeometry, InstancesThatSinglePrecisionCannotInvertAreErrors) {
 }
 
 /// Random transforms whose float inverse is as bad as is let through.
-TEST(FarGeometry, WhateverIsLetThroughCanBeTraced) {
+TEST(FarGeometry, AcceptedScenesCanBeTraced) {
   Rng rng(9);
   const auto random = [&] { return 2.0 * rng.next() - 1.0; };
   int kept = 0;

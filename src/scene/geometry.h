@@ -47,8 +47,8 @@ class Geometry {
   /// True if anything lies on `ray`, alpha and shadow alpha textures applied, or if the ray cannot
   /// be traced.
   bool occluded(const Ray& ray) const;
-  /// How the surface goes on around a hit; empty where it is not smooth: on curves that face the
-  /// ray, ribbons, and triangles without area. Of a triangle what is smooth is its inside.
+  /// Derivatives of the surface at a hit; empty where it is not smooth: on curves that face the
+  /// ray, ribbons, and triangles without area. Triangles are smooth inside.
   std::optional<SurfaceDerivatives> derivatives(const GeometryHit& hit) const;
   /// False if coordinates of `ray` are not numbers or so large that Embree must not be given them,
   /// in the world or in the space of an instance. Everything that Embree traces was asked here.
@@ -62,13 +62,13 @@ class Geometry {
             static_cast<int>(!std::isnan(ray.t_max))) != 0;
   }
   /// Raises SceneError, located at the instance, if there is one into whose space rays cannot be
-  /// brought that start at coordinates of `reach`.
+  /// transformed that start at coordinates of `reach`.
   void require_reach(double reach, const desc::SceneDesc& description) const;
 
   /// From now on every ray is written to `log`, until it is null again. For benchmarks: one thread
   /// only.
   void log_rays(RayLog* log) { ray_log_ = log; }
-  /// Traces the rays of a log again and does nothing with what they hit.
+  /// Traces the rays of a log again and ignores their hits.
   void replay(const RayLog& log) const;
 
   /// From now on hits of this shape have no derivatives.
@@ -101,7 +101,7 @@ class Geometry {
                       Warnings& warnings);
   void prepare_instances(const desc::SceneDesc& description, Warnings& warnings);
   SceneHandle commit(std::size_t first, std::size_t count, bool with_instances) const;
-  /// Boxes in the world, empty of what is dropped.
+  /// Boxes in the world, empty for dropped instances.
   std::vector<Box3> instance_boxes() const;
   void check_instances(const desc::SceneDesc& description, const std::vector<Box3>& boxes);
   void find_receivers(const desc::SceneDesc& description, const std::vector<Box3>& instances);

@@ -34,7 +34,7 @@ void check(RTCDevice device, const SourceLocation& where) {
   }
 }
 
-/// Puts what was built of a shape into its record.
+/// Puts the built shape into its record.
 struct RecordFilling {
   ShapeRecord& record;
   const SourceLocation& where;
@@ -241,7 +241,8 @@ void Geometry::prepare_shapes(desc::SceneDesc& description, const TextureList& t
   for (const auto& own : of_shapes) {
     if (own) warnings.add_all(*own);
   }
-  // Embree brings rays into an instance in single precision, which errs by roundings of its place.
+  // Embree transforms rays into an instance in single precision, with an error of some roundings of
+  // its place.
   for (std::size_t k = object_base_.front(); k < shapes_.size(); ++k) {
     shapes_[k].check_plane = shapes_[k].mesh != nullptr;
   }

@@ -26,7 +26,8 @@ bool has_cutouts(const ShapeRecord& record, Purpose purpose) {
   return record.has_alpha() || (purpose == Purpose::Occlude && record.has_shadow_alpha());
 }
 
-/// Whether a hit in the world is farther from both ends of its ray than the test of triangles errs.
+/// True if a hit is farther from both ends of its ray than the error of the triangle test, in the
+/// world.
 bool is_clear_of_ends(const TriangleMesh& mesh, const RTCRay& ray, const RTCHit& hit, float t_max) {
   const Vec3 n(hit.Ng_x, hit.Ng_y, hit.Ng_z);
   const float slope = dot(n, {ray.dir_x, ray.dir_y, ray.dir_z});
@@ -90,16 +91,15 @@ void quadric_bounds(const RTCBoundsFunctionArguments* args) {
   float* lower[3] = {&args->bounds_o->lower_x, &args->bounds_o->lower_y, &args->bounds_o->lower_z};
   float* upper[3] = {&args->bounds_o->upper_x, &args->bounds_o->upper_y, &args->bounds_o->upper_z};
   for (int i = 0; i < 3; ++i) {
-    // Wide enough that single-precision traversal cannot miss what double precision would hit.
+    // Wide enough that single-precision traversal cannot miss hits in double precision.
     const double margin = 1e-6 * std::max(std::abs(low[i]), std::abs(high[i])) + 1e-30;
     *lower[i] = static_cast<float>(low[i] - margin);
     *upper[i] = static_cast<float>(high[i] + margin);
   }
 }
 
-/// Whether a root is the very point that a ray starts at, as far as double precision can tell from
-/// the size of the shape: all that is left of a large sphere where it touches the origin of the
-/// world.
+/// True if a root is the origin of the ray itself, as far as double precision can tell from the
+/// size of the shape: all that is left of a large sphere where it touches the origin of the world.
 bool is_own_start(const ShapeRecord& record, const LocalRay& ray, double t) {
   constexpr double kNear = 0x1p-20;
   constexpr double kRounding = 0x1p-46;

@@ -10,7 +10,7 @@
 #include "scene/shape/triangle_mesh.h"
 #include "scene/texture/texture.h"
 
-/// What lies behind `Geometry`: shared by its building, its queries and Embree's callbacks.
+/// Implementation of `Geometry`: shared by its building, its queries and Embree's callbacks.
 namespace ajar {
 
 /// One shape in its final place; exactly one of mesh, curve and quadric is set unless it was
@@ -22,14 +22,14 @@ struct ShapeRecord {
   std::optional<Placement> placement;
   TextureSlot alpha{Spectrum(1.F)};
   TextureSlot shadow_alpha{Spectrum(1.F)};
-  bool alpha_counted = false;  ///< hits where it is 0 are told instead of left out
+  bool alpha_counted = false;  ///< reports hits where it is 0 instead of leaving them out
   bool reversed = false;
-  bool derivatives = true;  ///< of hits are wanted
-  /// Hits of the triangles at the ends of a ray must be told from real ones.
+  bool derivatives = true;  ///< compute derivatives of hits
+  /// Hits of the triangles at the ends of a ray must be distinguished from real ones.
   bool check_plane = false;
 
   bool present() const { return mesh || curve || quadric; }
-  /// Whether rays go on where it is 0 as if there were nothing.
+  /// True if rays pass where alpha is 0.
   bool has_alpha() const { return !alpha.is_constant() && !alpha_counted; }
   bool has_counted_alpha() const { return !alpha.is_constant() && alpha_counted; }
   bool has_shadow_alpha() const { return !shadow_alpha.is_constant() || shadow_alpha.is_black(); }
@@ -40,7 +40,7 @@ struct InstanceRecord {
   std::size_t object = 0;
 };
 
-/// Embree's context with what callbacks need in addition. The first member must stay first: Embree
+/// Embree's context with additional data for callbacks. The first member must stay first: Embree
 /// hands back its address.
 struct QueryContext {
   RTCIntersectContext embree;
@@ -77,8 +77,8 @@ inline Vec2 barycentric_of(const TriangleMesh& mesh, const RTCHit& hit, const Ra
   return std::isfinite(b.x) && std::isfinite(b.y) ? b : Vec2(hit.u, hit.v);
 }
 
-/// Brings a point of an instanced object into the world, with its derivatives or without; `p` is
-/// its place there before it was rounded, which may be by much of what is left in the world.
+/// Transforms a point of an instanced object into the world, with its derivatives or without; `p`
+/// is its place there before it was rounded, which may be by much of what is left in the world.
 void place_point(const Placement& instance, const Vec3d& p, bool derivatives, SurfacePoint& point);
 
 /// Box of a quadric in its final place.

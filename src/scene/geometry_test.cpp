@@ -57,7 +57,7 @@ void expect_box(const Box3& box, const Vec3& low, const Vec3& high) {
   EXPECT_LT(length(box.max - high), 1e-4F) << box.max;
 }
 
-TEST(Geometry, KnowsTheBoxOfWhatEmitsNothing) {
+TEST(Geometry, HasTheBoundsOfItsReceivers) {
   EXPECT_TRUE(world_of({}).geometry->receivers().isEmpty());
   desc::Shape sun = shape(testing::sphere_node(), translation(0, 0, 90));
   sun.emission = desc::Emission{{}, desc::emission_node("area")};
@@ -67,7 +67,7 @@ TEST(Geometry, KnowsTheBoxOfWhatEmitsNothing) {
       world_of({shape(testing::sphere_node(), translation(5, 0, 0)), sun}).geometry->receivers(),
       {4, -1, -1}, {6, 1, 1});
 
-  // Instances do not emit, whatever their shapes say.
+  // Instances do not emit, even with emissive shapes.
   desc::SceneDesc scene;
   scene.shapes = {sun, mesh_shape(cube())};
   desc::Object object;
@@ -192,8 +192,9 @@ TEST(SelfIntersection, InstancesFarAway) {
   expect_no_self_hits(world, {-2000, 0.5F, -1000}, 1.F);
 }
 
-/// Objects far from their own origin are rounded there, by more than where its instance brings it.
-TEST(SelfIntersection, InstancesOfWhatIsFarFromItsOwnOrigin) {
+/// Objects far from their own origin are rounded there, by more than in the place of their
+/// instance.
+TEST(SelfIntersection, InstancesFarFromTheirObjectOrigin) {
   const Mat4 far = rotation({3, 1, 2}, 0.4) * translation(5000, 4000, 3000);
   desc::Mesh triangle = square(1.F);
   triangle.indices.pop_back();
@@ -423,7 +424,7 @@ desc::Shape curve_shape(const std::string& type) {
   return shape(desc::shape_node("curves", {{"type", type}, {"curves", curve}}));
 }
 
-TEST(Curves, AreMetAtTheirWidthWithNormalsAndCoordinates) {
+TEST(Curves, AreHitAtTheirWidthWithNormalsAndCoordinates) {
   for (const std::string type : {"flat", "cylinder", "ribbon"}) {
     const World world = world_of({curve_shape(type)});
     const auto middle = world.hit({0, 0.05F, 3}, {0, 0, -1});
@@ -467,7 +468,7 @@ TEST(FaultyShapes, SingularTransformsAreDroppedWithAWarning) {
   EXPECT_FALSE(world.hit({0, 0, 5}, {0, 0, -1}));
 }
 
-TEST(FaultyShapes, AreToldOfInTheOrderOfTheFile) {
+TEST(FaultyShapes, AreReportedInTheOrderOfTheFile) {
   std::vector<desc::Shape> shapes;
   const auto file = std::make_shared<const std::string>("a.pbrt");
   for (int i = 0; i < 400; ++i) {

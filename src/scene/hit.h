@@ -22,10 +22,10 @@ struct GeometryHit {
   std::uint32_t shape;        ///< flat index of the shape, see Geometry
   std::uint32_t instance_id;  ///< 0: not an instance; else index of the instance + 1
   SurfacePoint point;
-  bool cut_away = false;  ///< here is no surface, but what counts as one
+  bool cut_away = false;  ///< cut away, but counted as a surface
 };
 
-/// What a ray hit.
+/// Intersection of a ray with the scene.
 struct Hit : GeometryHit {
   const Material* material;      ///< never null
   const Light* light;            ///< null if the surface does not emit
@@ -33,8 +33,8 @@ struct Hit : GeometryHit {
   std::uint32_t object_id;       ///< number of the shape in the description, objects' shapes last
   std::uint32_t material_id;
 
-  /// Whether a ray passes straight through, and only its medium changes. What shines is a surface
-  /// in any case.
+  /// True if a ray passes straight through, and only its medium changes. Emissive surfaces are
+  /// never interfaces.
   bool is_interface() const;
 };
 

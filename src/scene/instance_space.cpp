@@ -21,7 +21,7 @@ std::optional<double> max_ray_coordinate(const Placement& instance) {
   if (!(determinant > 0x1p-20 * rounded)) return std::nullopt;
 
   const Mat4& inverse = instance.to_object();
-  double stretch = 0.0;  // of the largest coordinate of a vector, at most
+  double stretch = 0.0;  // scale of the largest coordinate of a vector, at most
   double largest = 0.0;
   for (int column = 0; column < 3; ++column) {
     double sum = 0.0;

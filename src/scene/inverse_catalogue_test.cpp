@@ -57,7 +57,7 @@ void add_distributions(std::vector<InverseCase>& all) {
   }
   const Distribution1D line(weights);
   all.push_back({"1-D distribution", 1, 0.0, [=](const InverseNumbers& u, const InverseNumbers& v) {
-                   // What is sampled is the cell; the place in it is forgotten.
+                   // Samples keep the cell only, not the place in it.
                    const std::size_t cell = line.choose(u[0]).index;
                    const float number = line.invert(cell, v[0]);
                    return std::optional(
@@ -146,7 +146,7 @@ void add_endpoint(std::vector<InverseCase>& all, const std::string& name, const 
 /// Away from all lights, for those that are aimed.
 constexpr BoundingSphere kReceivers{Vec3(0.F, 0.F, -12.F), 4.F};
 
-/// Lights of every model, and what they stand on.
+/// Lights of every model, and their supports.
 struct AllLights {
   std::vector<std::unique_ptr<ImageFile>> images;
   std::vector<BuiltShape> shapes;

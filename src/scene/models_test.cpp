@@ -12,7 +12,7 @@ namespace {
 
 class Models : public ::testing::TestWithParam<ModelKind> {};
 
-TEST_P(Models, AreFoundByNamesOfTheirOwn) {
+TEST_P(Models, HaveUniqueNames) {
   std::vector<std::string> names;
   for (const Model* model : models(GetParam())) names.push_back(model->name);
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
@@ -23,7 +23,7 @@ TEST_P(Models, AreFoundByNamesOfTheirOwn) {
   EXPECT_THROW(make_node(GetParam(), "glas"), std::logic_error);
 }
 
-TEST_P(Models, DeclareWhatTheCatalogueShows) {
+TEST_P(Models, DeclareTheirCatalogueEntries) {
   for (const Model* model : models(GetParam())) {
     EXPECT_FALSE(model->summary.empty()) << model->name;
     std::set<std::string> names;

@@ -5,8 +5,8 @@
 
 namespace ajar {
 
-/// The rays of a render, in the order they were traced: what the limit ratio of the benchmarks
-/// replays. One thread only.
+/// The rays of a render, in the order they were traced, for the limit ratio of the benchmarks. One
+/// thread only.
 struct RayLog {
   struct Entry {
     Ray ray;

@@ -29,7 +29,7 @@ struct SurfaceDerivatives;
 
 /// Settings that change how a scene is built.
 struct BuildOptions {
-  std::optional<Vec2i> resolution;  ///< of the full image, instead of the file's
+  std::optional<Vec2i> resolution;  ///< resolution of the full image, instead of the file's
 };
 
 /// An immutable scene, committed to Embree and shared by all threads. Nothing random in it.
@@ -46,12 +46,12 @@ class Scene {
   /// Nearest surface along `ray`, alpha textures applied; empty, too, if the ray cannot be traced.
   /// Interface materials are reported like any other.
   std::optional<Hit> intersect(const Ray& ray) const;
-  /// The same, into `hit`, which is undefined if this returns false.
+  /// Writes into `hit`, which is undefined if this returns false.
   bool intersect(const Ray& ray, Hit& hit) const;
-  /// A hit that was found before, with what belongs to its shape; empty if there is no such shape.
+  /// An earlier hit, with the data of its shape; empty if there is no such shape.
   std::optional<Hit> recall(const GeometryHit& hit) const;
-  /// How the surface and its shading normal, that before bumps and normal maps, go on around a hit
-  /// (scene/surface_derivatives.h); empty where that is not known: see Geometry.
+  /// Derivatives of the surface and of its shading normal before bumps and normal maps
+  /// (scene/surface_derivatives.h); empty where they are unknown: see Geometry.
   std::optional<SurfaceDerivatives> derivatives(const Hit& hit) const;
   /// True if anything at all lies between (interfaces too; see `transmittance` of transport for
   /// those), or if the ray cannot be traced.
@@ -69,7 +69,7 @@ class Scene {
   bool has_uncounted() const { return has_uncounted_; }
   /// True if some interface adds to the depth of paths that cross it.
   bool has_counted_interfaces() const { return has_counted_interfaces_; }
-  /// True if the camera looks past lights, into what is behind them.
+  /// True if the camera looks past lights at the background.
   bool hides_lights() const { return hides_lights_; }
 
   const Camera& camera() const { return *camera_; }
@@ -85,8 +85,8 @@ class Scene {
     return *materials_[static_cast<std::size_t>(id)];
   }
 
-  /// By `Hit::object_id` and `Hit::material_id`. What has no name in the description is called
-  /// shape-N or material-N, N its number in the layers "object-id" and "material-id" (from 1).
+  /// By `Hit::object_id` and `Hit::material_id`. Unnamed ones are called shape-N or material-N, N
+  /// the number in the layers "object-id" and "material-id" (from 1).
   std::span<const std::string> object_names() const { return object_names_; }
   std::span<const std::string> material_names() const { return material_names_; }
 
@@ -100,7 +100,7 @@ class Scene {
   const std::string& source() const { return source_; }
 
  private:
-  /// What a hit looks up by the index of its shape.
+  /// Surface data that a hit looks up by the index of its shape.
   struct Surface {
     const Material* material;
     const Light* light;
@@ -110,7 +110,7 @@ class Scene {
   };
   void build_lights(const desc::SceneDesc& description, Warnings& warnings);
   double reach_of_rays() const;
-  /// Fills in what belongs to the shape.
+  /// Fills in the data of the shape.
   void complete(Hit& hit) const;
   void build_surfaces(const desc::SceneDesc& description, Warnings& warnings);
   void name_things(const desc::SceneDesc& description);

@@ -3,7 +3,7 @@
 
 namespace ajar {
 
-/// Counts of what is in a scene, for `ajar info` and the statistics.
+/// Counts of the scene's objects, for `ajar info` and the statistics.
 struct SceneCounts {
   std::size_t triangles = 0;            ///< stored
   std::size_t instanced_triangles = 0;  ///< with every instance counted

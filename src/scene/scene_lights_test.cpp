@@ -6,7 +6,7 @@
 #include "scene/testing/endpoint_checks.h"
 #include "scene/testing/small_world.h"
 
-/// What lights are told of the scene that they are in.
+/// Tests of the scene's properties that lights receive.
 namespace ajar {
 namespace {
 

@@ -11,7 +11,7 @@ namespace ajar {
 
 namespace {
 
-constexpr std::uint64_t kDensityBytesPerTexel = 16;  // of a light's map of directions
+constexpr std::uint64_t kDensityBytesPerTexel = 16;  // bytes of a light's map of directions
 
 std::uint64_t shape_bytes(const std::vector<desc::Shape>& shapes) {
   std::uint64_t bytes = 0;

@@ -8,7 +8,7 @@ namespace ajar {
 /// Memory that building a scene takes beside its description, bytes. Estimates, for deciding before
 /// the start whether a machine is large enough.
 struct SceneMemory {
-  /// Vertices in their final place, and Embree's tree of them with what it needs while it grows.
+  /// Vertices in their final place, and Embree's tree of them with its memory while it grows.
   std::uint64_t geometry = 0;
   std::uint64_t images = 0;  ///< texels as their files store them; those of lights with densities
   std::uint64_t media = 0;   ///< beside grids of density, which are shared

@@ -50,7 +50,7 @@ TEST(SceneMemory, CoversEmbreesTreeWithoutExaggerating) {
   }
 }
 
-TEST(SceneMemory, SubdividedSurfacesCountAsTheyWillBe) {
+TEST(SceneMemory, SubdividedSurfacesCountAfterSubdivision) {
   desc::SceneDesc coarse = floor_of(4);
   const desc::MeshPointer mesh = coarse.shapes[0].node.mesh("mesh");
   coarse.shapes[0].node = desc::shape_node("subdivision", {{"levels", 5}, {"control", mesh}});
@@ -58,7 +58,7 @@ TEST(SceneMemory, SubdividedSurfacesCountAsTheyWillBe) {
   EXPECT_NEAR(static_cast<double>(estimate_memory(coarse).geometry) / as_mesh, 1.0, 0.05);
 }
 
-TEST(SceneMemory, SubdivisionsThatNoMemoryHoldsAreRefusedWithTheLevelsThatAreLeft) {
+TEST(SceneMemory, TooFineSubdivisionsAreRefusedWithTheLevelsThatFit) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers reserve more memory than any limit allows";
 #endif

@@ -28,7 +28,7 @@ bool fits(const WarningIfSeen& candidate, const Sight& sight) {
   return sight.depth > static_cast<double>(candidate.depth);
 }
 
-/// `visit(sight)` of what is seen at a point of the picture.
+/// `visit(sight)` of surfaces at a point of the picture.
 template <typename Visit>
 void look(const Scene& scene, const Mat4& to_camera, const Vec2& at, const Visit& visit) {
   constexpr int kMostSurfaces = 8;

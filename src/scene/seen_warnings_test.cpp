@@ -39,7 +39,7 @@ std::vector<std::string> warned(If condition, float depth, bool is_turned, bool 
   return messages;
 }
 
-TEST(SeenWarnings, AreOfWhatTheCameraSees) {
+TEST(SeenWarnings, AreOfVisibleSurfaces) {
   using Messages = std::vector<std::string>;
   EXPECT_EQ(warned(If::FromBehind, 0.F, false), Messages());
   EXPECT_EQ(warned(If::FromBehind, 0.F, true), Messages{"the wall"});

@@ -22,7 +22,7 @@ struct Case {
   desc::SceneDesc scene;
   Vec3 origin;
   Vec3 direction;
-  double tolerance;  ///< of what turns by one radian, or goes by one unit
+  double tolerance;  ///< tolerance per radian of rotation, or unit of length
 };
 
 /// A square whose normals lean outward.
@@ -82,7 +82,7 @@ std::vector<Case> cases() {
 }
 
 /// Rays beside a ray meet the surface, and its normal, where the derivatives say.
-TEST(SurfaceDerivatives, AreThoseOfHitsBeside) {
+TEST(SurfaceDerivatives, MatchNeighbouringHits) {
   for (Case& c : cases()) {
     SCOPED_TRACE(c.name);
     const testing::World world(std::move(c.scene));
@@ -109,7 +109,7 @@ TEST(SurfaceDerivatives, AreThoseOfHitsBeside) {
   }
 }
 
-TEST(SurfaceDerivatives, AreNotOfWhatIsNotSmooth) {
+TEST(SurfaceDerivatives, AreEmptyWhereTheSurfaceIsNotSmooth) {
   auto curves = std::make_shared<desc::Curves>();
   curves->control_points = {{-2.F, 0.F, 0.F}, {-1.F, 0.F, 0.F}, {1.F, 0.F, 0.F}, {2.F, 0.F, 0.F}};
   curves->widths = {1.F, 1.F, 1.F, 1.F};

@@ -6,8 +6,8 @@
 
 namespace ajar {
 
-/// A point on a surface with everything that textures and materials need. World space. The
-/// derivatives are left zero where nobody asked for them: only bumps and anisotropic materials do.
+/// A point on a surface with everything that textures and materials need. World space. Derivatives
+/// are zero unless requested: only bumps and anisotropic materials need them.
 struct SurfacePoint {
   Vec3 p;
   Vec3 ng;  ///< unit geometric normal; its side is that of the shape's orientation, not of the ray
@@ -26,7 +26,7 @@ inline constexpr float kHalfUlp = 0x1p-24F;
 
 /// Roundings of the coordinates of a point by which the origins of rays are moved off a surface.
 /// Two are needed: the point is rounded once when it is found and once more when it is moved. The
-/// rest is for what is unsure of the tests for triangles (`TriangleMesh::plane_error`).
+/// rest is for errors of the tests for triangles (`TriangleMesh::plane_error`).
 inline constexpr float kOffsetRoundings = 4.F;
 
 /// Distance along the unit normal `ng` by which rounding the coordinates of `p` can displace it.
@@ -46,8 +46,8 @@ inline Vec3 offset_ray_origin(const Vec3& p, const Vec3& ng, const Vec3& w) {
   return p + ng * (dot(ng, w) < 0.F ? -distance : distance);
 }
 
-/// Likewise the end at `p` of a ray that comes from `distance` away; `w` points back to where it
-/// comes from. Directions are rounded, and Embree's tests err, by some roundings of that distance.
+/// Offset end at `p` of a ray that comes from `distance` away; `w` points back to where it comes
+/// from. Directions are rounded, and Embree's tests err, by some roundings of that distance.
 inline Vec3 offset_ray_end(const Vec3& p, const Vec3& ng, const Vec3& w, float distance) {
   constexpr float kRoundings = 16.F;
   const float moved = kOffsetRoundings * rounding_along(p, ng) + kRoundings * kHalfUlp * distance;

@@ -13,8 +13,8 @@ struct SessionHeuristics {
   /// Unit: share. Range: (0, 1). Source: d9bd289: with three quarters, most of a short render was
   /// thrown away; no study of others.
   static constexpr double kMostOfTime = 0.25;
-  /// The same, where the round that runs becomes part of the picture: what is cut short is lost;
-  /// and of the effort, what the whole preparation may be.
+  /// Limit where the samples of the current round are kept: stopping it early loses them; and limit
+  /// of the whole preparation's effort.
   /// Unit: share. Range: [kMostOfTime, 1). Source: set by hand, no study; as much is left to go on.
   static constexpr double kMostOfTimeForPicture = 0.5;
   /// A preparation of so few camera samples is never too much for a render of few samples: those
@@ -22,16 +22,16 @@ struct SessionHeuristics {
   /// Unit: camera samples. Range: >= 0. Source: docs/results/speed.md, "The first picture": they
   /// take 0.5 to 0.6 CPU-seconds in small scenes. Half and double not measured.
   static constexpr double kFewToPrepare = 163840.0;
-  /// Of a round of a preparation, before its rate is believed.
+  /// Least finished part of a round of a preparation before its rate is used.
   /// Unit: share. Range: (0, 1]. Source: 8145106; set by hand, no study.
   static constexpr double kTelling = 0.1;
-  /// Of a phase, what must be done before the time left is told.
+  /// Least finished part of a phase before its remaining time is shown.
   /// Unit: share. Range: (0, 1). Source: 1a1aa89; set by hand, no study.
   static constexpr double kLeastDone = 0.01;
-  /// Of the time of a render, what writing files now and then may take.
+  /// Limit of writing files now and then, relative to the time of a render.
   /// Unit: share. Range: (0, 1]. Source: 7410de2; set by hand, no study.
   static constexpr double kMostForWriting = 0.1;
-  /// Of the time of a render, what copying and developing pictures for viewers may take.
+  /// Limit of copying and developing pictures for viewers, relative to the time of a render.
   /// Unit: share. Range: (0, 1]. Source: 8adbb67; set by hand, no study.
   static constexpr double kMostForPreviews = 0.05;
   /// From a file that could not be written to the next attempt.
@@ -51,7 +51,7 @@ struct SessionHeuristics {
   static constexpr double kMuchWhite = 0.1;
   /// Unit: share of the pixels. Range: (0, 1]. Source: the same; a night is black, too.
   static constexpr double kNearlyAllBlack = 0.9;
-  /// What the advice must change.
+  /// Least change by the advice.
   /// Unit: stops. Range: >= 0. Source: the same.
   static constexpr float kWorthIt = 1.F;
 };

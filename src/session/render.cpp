@@ -25,7 +25,7 @@ std::unique_ptr<tbb::global_control> thread_limit(int threads) {
                                                static_cast<std::size_t>(threads));
 }
 
-/// Whether there is anything to render. If not, or on an error, what was seen before is no result.
+/// True if there is anything to render. If not, or on an error, the preview is discarded.
 bool is_prepared(RenderState& state) {
   const auto forget = [&] {
     state.preview.reset();

@@ -17,9 +17,9 @@ namespace ajar {
 ///     Render render(std::move(order));
 ///     const RenderOutcome& outcome = render.run();
 ///
-/// It needs no terminal, prints nothing and handles no signals; what it has to say goes to
-/// `RenderEvents`. Several may run at once, except that a number of threads, if one is given,
-/// limits the whole process while a render lives (a limit of TBB, which Embree needs, too).
+/// Needs no terminal, prints nothing and handles no signals; its messages go to `RenderEvents`.
+/// Several may run at once, except that a number of threads, if one is given, limits the whole
+/// process while a render lives (a limit of TBB, which Embree needs, too).
 class Render {
  public:
   /// `events` must outlive this. Raises, before anything is loaded, UsageError for orders that
@@ -39,7 +39,7 @@ class Render {
   /// Finishes the pass that runs, and ends; called twice, the pass is cut short. Before there are
   /// passes it cuts the preparation short; twice, nothing is rendered.
   void stop();
-  /// How far it is.
+  /// Progress.
   RenderSnapshot snapshot() const;
   /// The picture as it is, all layers: waits for the end of the pass that runs. Before there are
   /// passes, what the preparation has seen, without other layers and of 0 samples per pixel; null

@@ -89,7 +89,7 @@ struct Listener final : RenderEvents {
     if (on_picture) on_picture();
   }
   void note(const std::string& text) override {
-    const std::lock_guard lock(mutex);  // those of a viewer come from its thread
+    const std::lock_guard lock(mutex);  // notes of a viewer come from its thread
     notes.push_back(text);
     if (on_note) on_note();
   }
@@ -207,7 +207,7 @@ TEST(Render, CountsOnTheCounterItIsGiven) {
   EXPECT_EQ(count, 2);
 }
 
-// What is seen between two passes is the picture of so many samples, to the bit.
+// Pictures between two passes are of so many samples, to the bit.
 TEST(Render, ShowsItsPictureToOtherThreads) {
   Listener listener;
   Render render(small_order(std::nullopt), listener);
@@ -342,7 +342,7 @@ TEST(Render, HasNoPictureIfItEndsWithWhatItsPreparationHasSeen) {
   EXPECT_FALSE(render.picture());
 }
 
-/// Who renders on has had better pictures.
+/// A resumed render has had better pictures.
 TEST(Render, DoesNotShowWhatItsPreparationSeesAgain) {
   const std::string checkpoint =
       (std::filesystem::temp_directory_path() / ("ajar-look-" + std::to_string(::getpid())))

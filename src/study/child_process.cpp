@@ -16,11 +16,11 @@
 namespace ajar::study {
 
 namespace {
-/// How often the parent looks up: costs nothing beside a render.
+/// Interval of the parent's polls: costs nothing beside a render.
 constexpr auto kPoll = std::chrono::milliseconds(10);
 constexpr int kNotStarted = 127;
 
-/// In the child, after fork: only what is safe there. Never returns.
+/// In the child, after fork: async-signal-safe calls only. Never returns.
 [[noreturn]] void become(const ChildCommand& command, char* const* argv, pid_t parent, int log) {
   setpgid(0, 0);
   // Killed and not asked: it must not write files that a later run of the same name has written.

@@ -6,7 +6,7 @@
 
 namespace ajar::study {
 
-/// How a program ended.
+/// Exit of a program.
 struct ChildResult {
   int exit_code = -1;        ///< negative: ended by that signal
   bool interrupted = false;  ///< a signal came before its end

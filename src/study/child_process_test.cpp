@@ -57,13 +57,13 @@ TEST_F(Child, RunsInItsFolderAndLogs) {
   EXPECT_EQ(log(), fs::canonical(folder_).string() + "\nwrong\n");
 }
 
-TEST_F(Child, TellsOfACrash) {
+TEST_F(Child, ReportsACrash) {
   EXPECT_EQ(run_child(shell("kill -SEGV $$"), interrupts_).exit_code, -SIGSEGV);
 }
 
-TEST_F(Child, IsToldOfASignal) { expect_told_of_a_signal(); }
+TEST_F(Child, ReceivesForwardedSignals) { expect_told_of_a_signal(); }
 
-TEST_F(Child, IsToldOfASignalThatTheParentIgnores) {
+TEST_F(Child, ReceivesSignalsThatTheParentIgnores) {
   const auto before = std::signal(SIGINT, SIG_IGN);
   expect_told_of_a_signal();
   std::signal(SIGINT, before);

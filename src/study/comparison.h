@@ -7,12 +7,12 @@
 #include "study/loaded_picture.h"
 #include "study/metric.h"
 
-/// Pictures against a reference: what `ajar compare` prints and reports show.
+/// Pictures against a reference, as `ajar compare` prints and reports show them.
 namespace ajar::study {
 
 struct ComparedPicture {
   LoadedPicture picture;
-  std::vector<std::optional<double>> values;  ///< of `Comparison::metrics`, in that order
+  std::vector<std::optional<double>> values;  ///< values of `Comparison::metrics`, in that order
   std::optional<BiasTest> bias;               ///< empty if the file does not know its error
 };
 

@@ -19,7 +19,7 @@ Json number_or_null(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json();
 }
 
-/// What a metric is, in a line.
+/// Description of a metric in a line.
 std::string about(const Metric& metric) {
   return metric.summary + (metric.unit.empty() ? "" : " [" + metric.unit + "]") +
          (metric.larger_is_better ? "; larger is better" : "");

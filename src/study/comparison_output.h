@@ -6,14 +6,14 @@
 
 namespace ajar::study {
 
-/// The table that `ajar compare` prints, what its columns mean, and the tests for bias.
+/// The table that `ajar compare` prints, the legend of its columns, and the tests for bias.
 std::string to_text(const Comparison& comparison);
 
-/// The same as one object, keys as in docs/compare.md. What has no value is null; so is the
-/// infinite PSNR of equal pictures.
+/// The comparison as one object, keys as in docs/compare.md. Missing values are null; so is
+/// the infinite PSNR of equal pictures.
 nlohmann::ordered_json to_json(const Comparison& comparison);
 
-/// What the letters mean and what metrics were measured with; lines that end in a newline.
+/// Legend of the columns and conditions of the metrics; lines that end in a newline.
 std::string conditions_text(const Comparison& comparison);
 
 /// Columns as wide as their longest cell, the first to the left, the others to the right, two

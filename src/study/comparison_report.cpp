@@ -15,7 +15,7 @@ namespace ajar::study {
 namespace {
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
-/// File names without folder and extension, where that tells all files apart; else the paths.
+/// File names without folder and extension, if these are distinct; else the paths.
 std::vector<std::string> short_names(const std::vector<std::string>& paths) {
   std::vector<std::string> names;
   for (const std::string& path : paths) {

@@ -4,7 +4,7 @@
 
 namespace ajar::study {
 
-/// What `ajar compare --report` shows: the reference first, then the pictures in their order, their
+/// Report of `ajar compare --report`: the reference first, then the pictures in their order, their
 /// metrics, and the tests for bias. Reads the files' layers anew; raises IoError.
 Report to_report(const Comparison& comparison);
 

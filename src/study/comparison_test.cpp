@@ -53,7 +53,7 @@ TEST(BiasTest, IsNotMadeWithoutErrors) {
       test_bias(picture(replicates, Layers::None), picture(replicates, Layers::Replicates)));
 }
 
-TEST(BiasTest, AcceptsEqualPicturesAndFindsWhatItsPowerPromises) {
+TEST(BiasTest, AcceptsEqualPicturesAndHasItsStatedPower) {
   // Each kind of error, 40 trials of two equal pictures at level 2·10⁻³: more than one alarm has a
   // probability of 0.3 %. Then the smallest difference of the mean that is promised to be found in
   // 90 % of cases: at least 26 of 40 (binomial: mean 36, σ 1.9).

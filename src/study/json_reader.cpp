@@ -99,7 +99,7 @@ void JsonNode::check(const std::function<void()>& check) const {
     check();
   } catch (const UsageError& error) {
     const std::string message = error.what();
-    if (message.starts_with(file_ + ": ")) throw;  // of a node, which told its place
+    if (message.starts_with(file_ + ": ")) throw;  // error of a node, with its place
     fail(message);
   }
 }

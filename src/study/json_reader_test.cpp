@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What reading the text raises, without the file's name; or what it reads.
+/// Error of reading the text, without the file's name; or the result.
 std::string read(const std::string& text) {
   const std::string path =
       (fs::temp_directory_path() / ("ajar-json-" + std::to_string(getpid()) + ".json")).string();
@@ -37,12 +37,12 @@ TEST(JsonNode, NumbersThatAreTooLargeHaveAPlace) {
   EXPECT_EQ(read("[1e308, 1e-400, 123456789012345678901234567890]"), "no error");
 }
 
-TEST(JsonNode, MembersAreThereOnce) {
+TEST(JsonNode, DuplicateMembersAreErrors) {
   EXPECT_EQ(read("{\"a\": {\"b\": 1}, \"b\": [{\"a\": 1}, {\"a\": 2}]}"), "no error");
   EXPECT_EQ(read("{\"a\": 1,\n  \"b\": 2,\n  \"a\": 3}"), ":3:3: the member \"a\" is there twice");
 }
 
-TEST(JsonNode, ToldPlacesAreNotToldAgain) {
+TEST(JsonNode, PlacesAreNotRepeated) {
   const JsonNode node(1, "a.json", "scale");
   try {
     node.check([&] { node.text(); });
@@ -61,7 +61,7 @@ TEST(JsonNode, NestingIsLimited) {
   EXPECT_EQ(read(nested(1'000'000)), ":1:65: values are nested more than 64 deep");
 }
 
-TEST(JsonNode, WhatIsNoJsonHasAPlace) {
+TEST(JsonNode, SyntaxErrorsHaveAPlace) {
   EXPECT_EQ(read("").substr(0, 23), ":1:1: this is not JSON:");
   for (const char* text : {"{\"a\": NaN}", "{\"a\": Infinity}", "{\"a\": \"\xff\"}", "{\"a\" 1}"}) {
     const std::string error = read(text);

@@ -13,13 +13,14 @@ namespace ajar::study {
 struct LoadedPicture {
   std::string path;
   Vec2i size{0, 0};
-  std::optional<Vec2i> origin;      ///< of its pixels in the whole picture; only EXR says so
+  std::optional<Vec2i> origin;      ///< place of its pixels in the whole picture; stored by EXR
+                                    ///< only
   std::vector<float> linear;        ///< scene-linear; display values are decoded by sRGB
   std::vector<float> display;       ///< exposure 0, sRGB, clamped to [0, 1] (docs/compare.md)
   std::vector<float> denoised;      ///< scene-linear, the layer of that name; may be empty
   bool is_display_encoded = false;  ///< the file has display values (PNG, JPEG)
-  /// What the file knows of its own error; both may be empty. `--aov replicates` and
-  /// `--aov standard-error` write these layers.
+  /// Error estimate of the file itself; both may be empty. `--aov replicates` and `--aov
+  /// standard-error` write these layers.
   Replicates replicates;
   std::vector<float> standard_error;
 };

@@ -125,7 +125,7 @@ class Drawing {
       }
     }
     x_.widen(2.0);
-    // Methods that are equal but for a few per cent are worth a look, but not noise of less.
+    // Differences of a few per cent between methods are shown, but not noise of less.
     y_.widen(1.1);
   }
 

@@ -8,7 +8,7 @@ namespace ajar::study {
 struct PlotPoint {
   double x = 1;
   double y = 1;
-  double low = 1;  ///< of the bar; not above 0: the bar ends at the lower border
+  double low = 1;  ///< ends of the bar; not above 0: the bar ends at the lower border
   double high = 1;
 };
 struct PlotCurve {
@@ -21,8 +21,8 @@ struct LogPlot {
 };
 
 /// A plot with logarithmic axes as SVG; points that are not above 0 are left out. Colours are those
-/// of Okabe and Ito (2008), which colour-blind people can tell apart; with more curves than colours
-/// the marks differ as well.
+/// of Okabe and Ito (2008), which colour-blind people can distinguish; with more curves than
+/// colours the marks differ as well.
 std::string to_svg(const LogPlot& plot);
 
 }  // namespace ajar::study

@@ -30,7 +30,7 @@ TEST(LogPlot, EqualFactorsAreEqualDistances) {
   EXPECT_LT(y[0], y[1]) << "downwards";
 }
 
-TEST(LogPlot, LeavesOutWhatHasNoLogarithm) {
+TEST(LogPlot, LeavesOutValuesWithoutALogarithm) {
   const LogPlot plot{
       "", "", "", {{"a", {{1, 0, 0, 0}, {0, 1, 1, 1}, {1, NAN, 1, 1}, {1, 1, -1, 3}}}}};
   const std::string svg = to_svg(plot);

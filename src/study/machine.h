@@ -2,7 +2,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-/// On what a study ran.
+/// The machine of a study.
 namespace ajar::study {
 
 /// Name of the processor, "unknown" if the system does not say.

@@ -36,7 +36,7 @@ Measure at_scale(double sigma) {
   };
 }
 
-/// Of the layer without noise.
+/// Measures the denoised layer.
 Measure of_denoised(LinearMetric metric) {
   return [metric](const LoadedPicture& a, const LoadedPicture& r,
                   const MetricConditions&) -> std::optional<double> {

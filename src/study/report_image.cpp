@@ -61,7 +61,7 @@ ReportImage report_image(const std::string& name, const LoadedPicture& picture) 
   image.layers.push_back({"", 3, picture.linear});
   image.metadata.emplace_back("file", picture.path);
   const Image file = read_image(picture.path);
-  // Somebody may have replaced the file meanwhile.
+  // The file may have been replaced meanwhile.
   const bool is_same = file.width == image.width && file.height == image.height;
   if (is_same && !picture.is_display_encoded) add_layers(file, image);
   for (const auto& [key, value] : file.metadata) image.metadata.emplace_back(readable(key), value);

@@ -8,11 +8,11 @@
 namespace ajar::study {
 
 /// A picture's file as reports show it: the picture, the file's other layers (without replicates:
-/// they are the picture again), and what Ajar wrote of the render. Layers and metadata are read
+/// they are the picture again), and Ajar's metadata of the render. Layers and metadata are read
 /// anew from the picture's path. Raises IoError.
 ReportImage report_image(const std::string& name, const LoadedPicture& picture);
 
-/// Says of metrics what the page needs to know.
+/// Descriptions of metrics for the page.
 std::vector<ReportMetric> report_metrics(const std::vector<const Metric*>& metrics);
 
 }  // namespace ajar::study

@@ -245,14 +245,14 @@ std::vector<std::uint64_t> read_seeds(const JsonNode& study) {
   return seeds;
 }
 
-/// What names have in common if they share a folder: some file systems take "Pool" for "pool".
+/// Lower-case folder name: some file systems take "Pool" for "pool".
 std::string folder_of(const std::string& name) {
   std::string folder = file_name(name);
   for (char& c : folder) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return folder;
 }
 
-/// Names become folders; what looks the same there would mix up files.
+/// Names become folders; equal folders would mix up files.
 void check_unique(const JsonNode& node, const std::vector<std::string>& names) {
   std::set<std::string> seen;
   for (const std::string& name : names) {
@@ -262,8 +262,8 @@ void check_unique(const JsonNode& node, const std::vector<std::string>& names) {
   }
 }
 
-/// Scenes that are named after their files, but not the only ones of that name, get as many folders
-/// before it as it takes to tell them apart.
+/// Scenes that are named after their files get as many parent folders before their name as make it
+/// unique.
 void tell_apart(const std::vector<JsonNode>& nodes, std::vector<StudyScene>& scenes) {
   std::vector<fs::path> above;  // folders that the names do not have yet
   for (std::size_t i = 0; i < scenes.size(); ++i) {

@@ -24,7 +24,7 @@ struct Method {
   std::string integrator;
   std::map<std::string, std::string> parameters;
   std::string family;                        ///< the name without the values of a sweep
-  std::map<std::string, std::string> swept;  ///< those values; empty without a sweep
+  std::map<std::string, std::string> swept;  ///< swept values; empty without a sweep
   std::vector<std::string> budgets;          ///< names of those it is for; empty: all
 
   bool is_for(const RunBudget& budget) const;

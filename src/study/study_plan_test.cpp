@@ -55,7 +55,7 @@ class StudyFile : public ::testing::Test {
   fs::path folder_;
 };
 
-TEST_F(StudyFile, FillsInWhatIsNotSaid) {
+TEST_F(StudyFile, HasDefaults) {
   const StudyPlan plan = read(study(kRest));
   EXPECT_EQ(plan.name, "study");
   EXPECT_EQ(plan.seeds, std::vector<std::uint64_t>{1});
@@ -207,7 +207,7 @@ TEST_F(StudyFile, ASceneMayHaveItsOwnSize) {
             (std::vector<std::string>{"--scale", "0.5", "--depth", "2:3"}));
 }
 
-TEST_F(StudyFile, ErrorsSayWhereAndWhatWouldBeRight) {
+TEST_F(StudyFile, ErrorsAreLocatedAndListValidValues) {
   struct Case {
     std::string text;
     std::vector<std::string> parts;
@@ -285,7 +285,7 @@ TEST(ShippedStudies, CanBeRead) {
   EXPECT_GE(count, 2);
 }
 
-TEST(FileName, KeepsWhatIsSafeInPaths) {
+TEST(FileName, KeepsSafeCharacters) {
   EXPECT_EQ(file_name("mmlt sigma=0.01"), "mmlt_sigma=0.01");
   EXPECT_EQ(file_name("../é"), "_._" + std::string("__"));
 }

@@ -54,7 +54,7 @@ void add_tables(Report& report, const StudyPlan& plan, const StudyResult& result
   }
 }
 
-/// The same points and bars as the plots beside study.md.
+/// Points and bars of the plots beside study.md.
 void add_curves(Report& report, const StudyPlan& plan, const std::vector<SummaryRow>& rows,
                 std::size_t scene) {
   for (std::size_t metric = 0; metric < plan.metrics.size(); ++metric) {

@@ -4,7 +4,7 @@
 
 namespace ajar::study {
 
-/// What a study found in a scene, with `rows` of all scenes (`summarise`): tables per budget,
+/// Report of a study on one scene, with `rows` of all scenes (`summarise`): tables per budget,
 /// curves of errors, and the pictures of the last budget with the plan's first seed, beside the
 /// reference. Pictures that can no longer be read are named in a note.
 Report scene_report(const StudyPlan& plan, const StudyResult& result,

@@ -106,7 +106,7 @@ std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::strin
 
 namespace {
 
-/// Whether it has all that is read of it.
+/// True if all members that are read are there.
 bool is_record(const Json& json) {
   const auto has = [](const Json& part, const char* name, auto&& is_right) {
     return part.is_object() && part.contains(name) && is_right(part.at(name));
@@ -174,7 +174,7 @@ bool RunRecord::is_disturbed() const { return cpu_share().value_or(1.0) < kFairC
 std::optional<RunRecord> finished_record(const StudyRun& run) {
   std::error_code ignored;
   if (!fs::exists(with_suffix(run.stem, ".exr"), ignored)) return std::nullopt;
-  // Whatever is wrong with the file, the run is made again.
+  // Any error in the file makes the run start anew.
   Json json;
   try {
     const FileBytes file = read_file(with_suffix(run.stem, ".record.json").string());

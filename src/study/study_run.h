@@ -8,7 +8,7 @@
 
 #include "study/study_plan.h"
 
-/// The single renders of a study and what is kept of each.
+/// The single renders of a study and their records.
 namespace ajar::study {
 
 /// One render: of a scene by a method with a seed and a budget, or of a reference.
@@ -19,7 +19,8 @@ struct StudyRun {
   std::uint64_t seed = 0;
   bool is_reference = false;
   std::string title;                   ///< for people
-  std::vector<std::string> arguments;  ///< of `ajar render`, without the scene and output files
+  std::vector<std::string> arguments;  ///< arguments of `ajar render`, without the scene and output
+                                       ///< files
   /// Files are `stem` + ".exr", ".stats.json", ".record.json", ".log".
   std::filesystem::path stem;
   /// Changes with everything that decides the picture: scene, arguments, version.
@@ -28,7 +29,7 @@ struct StudyRun {
 };
 
 /// The runs in the order in which they are made: references first, then, for each scene and budget,
-/// seed by seed all methods in turn, so that what happens to the machine happens to all of them.
+/// seed by seed all methods in turn, so that disturbances of the machine affect all of them.
 /// `scene_hashes`: of the content, one per scene. `out`: absolute.
 std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::string>& scene_hashes,
                              const std::filesystem::path& out);
@@ -36,20 +37,20 @@ std::vector<StudyRun> expand(const StudyPlan& plan, const std::vector<std::strin
 /// Runs that had less of the processors were disturbed: their times mislead.
 inline constexpr double kFairCpuShare = 0.75;
 
-/// What is known of a finished run: the JSON file beside its picture.
+/// Record of a finished run: the JSON file beside its picture.
 struct RunRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws nothing
   nlohmann::ordered_json json;
 
-  /// Wall clock of `prepare` and `render`, seconds: what a method needs once a scene is loaded.
+  /// Wall clock of `prepare` and `render`, seconds: the time of a method once a scene is loaded.
   double seconds() const;
   std::optional<double> metric(const std::string& name) const;
   std::optional<double> number(const std::string& statistic) const;
-  /// Processor time of the rendering, of what its threads could have had of this machine: near 1
-  /// where nothing else runs. Empty if unknown, or for less than half a second, which tells little.
+  /// CPU time of the rendering over that available to its threads on this machine: near 1 where
+  /// nothing else runs. Empty if unknown, or for less than half a second, which is too short.
   std::optional<double> cpu_share() const;
-  /// Whether that is less than `kFairCpuShare`.
+  /// True if the CPU share is less than `kFairCpuShare`.
   bool is_disturbed() const;
-  /// Whether it has an estimate of its error that is no lower bound.
+  /// True if it has an estimate of its error that is no lower bound.
   bool knows_error() const;
 };
 

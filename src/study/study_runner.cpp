@@ -57,7 +57,7 @@ class Runner {
       options_.report(fmt::format("{} of {} renders are there already", done, runs_.size()));
     }
     warn_of_other_builds();
-    // After a signal nothing more is rendered, but what is finished belongs into the results.
+    // After a signal nothing more is rendered, but finished runs belong into the results.
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       if (interrupt_count() > 0) result_.interrupted = true;
       const bool is_new = !records_[i];
@@ -78,7 +78,7 @@ class Runner {
     return run.stem.string() + suffix;
   }
 
-  /// Once more if others had a good part of the processors meanwhile; what comes of that counts.
+  /// Once more if others had a good part of the processors meanwhile; the second run counts.
   void render_undisturbed(std::size_t i) {
     render(i, 1);
     const std::optional<RunRecord>& record = records_[i];
@@ -100,7 +100,7 @@ class Runner {
     }
     // A process of its own, not a `Render` in this one: its memory and processor time are its own
     // then, no render finds caches and threads warm from another, one that crashes or runs out of
-    // memory ends alone, and what is measured is what a user of the program gets.
+    // memory ends alone, and the measurement is that of the program.
     ChildCommand command{options_.program, {"render"}, options_.folder.string(), file(run, ".log")};
     const std::string& scene = plan_.scenes[run.scene].scene;
     command.arguments.push_back(scene.starts_with("builtin:") ? scene
@@ -136,7 +136,7 @@ class Runner {
     records_[i] = std::move(record);
   }
 
-  /// What no metric looks at takes no time.
+  /// Layers without a metric take no time.
   bool wants_denoised() const {
     return std::any_of(plan_.metrics.begin(), plan_.metrics.end(),
                        [](const Metric* metric) { return metric->of_denoised; });
@@ -163,7 +163,7 @@ class Runner {
     const std::string& reference = result_.references[run.scene];
     try {
       if (reference.empty()) {
-        records_[i]->json.erase("metrics");  // of an older reference
+        records_[i]->json.erase("metrics");  // metrics of an older reference
       } else {
         measure(run, reference, *records_[i]);
       }
@@ -188,7 +188,8 @@ class Runner {
     }
   }
 
-  /// What noise of the reference itself adds to the metric of efficiency, from its standard error.
+  /// Contribution of the reference's own noise to the metric of efficiency, from its standard
+  /// error.
   std::optional<double> reference_noise(const std::string& path) const {
     if (path.empty()) return std::nullopt;
     const LoadedPicture reference = load_picture(path);

@@ -97,7 +97,7 @@ TEST_F(StudyRunner, MarksARunThatHadLittleCpuTimeTwice) {
   ASSERT_EQ(result.warnings.size(), 1U);
   EXPECT_EQ(result.warnings[0].find("1 of 2 renders had less than 75 % of their CPU time"), 0U)
       << result.warnings[0];
-  // It is finished for all that.
+  // The run counts as finished.
   EXPECT_EQ(run("").warnings.size(), 1U);
   EXPECT_EQ(calls(), 3U);
 }

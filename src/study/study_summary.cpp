@@ -8,7 +8,7 @@
 namespace ajar::study {
 
 namespace {
-constexpr double kUpperTail = 0.025;  // of a 95 % interval
+constexpr double kUpperTail = 0.025;  // tail of a 95 % interval
 
 using Runs = std::vector<const FinishedRun*>;
 
@@ -42,7 +42,7 @@ std::optional<double> acceptance(const Runs& runs, const char* kind) {
   return values.empty() ? std::nullopt : std::optional(mean_of(values).mean);
 }
 
-/// Of all mutations, whatever their kind.
+/// Acceptance of all mutations, of any kind.
 std::optional<double> whole_acceptance(const Runs& runs) {
   const std::vector<double> values = values_of(runs, [](const RunRecord& record) {
     const auto& statistics = record.json.at("statistics");

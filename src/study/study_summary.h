@@ -5,7 +5,7 @@
 
 #include "study/study_runner.h"
 
-/// What the runs of a study say together.
+/// Statistics over the runs of a study.
 namespace ajar::study {
 
 /// Mean over seeds.
@@ -13,7 +13,7 @@ struct Mean {
   std::size_t count = 0;
   double mean = 0;
   double deviation = 0;  ///< standard deviation of one run (Bessel's correction); 0 for one run
-  double standard_error = 0;  ///< of the mean; 0 for one run
+  double standard_error = 0;  ///< standard error of the mean; 0 for one run
 };
 Mean mean_of(std::span<const double> values);
 
@@ -36,14 +36,15 @@ struct SummaryRow {
   std::size_t method = 0;
   std::size_t budget = 0;
   Mean seconds;                      ///< preparing and rendering
-  Mean cpu_seconds;                  ///< of all threads, rendering
+  Mean cpu_seconds;                  ///< rendering time of all threads
   std::size_t disturbed = 0;         ///< runs that had too little of the processors
   Mean samples;                      ///< per pixel, as `--spp` counts them
-  std::optional<double> acceptance;  ///< of all mutations; mean over seeds, as the next two
+  std::optional<double> acceptance;  ///< acceptance of all mutations; mean over seeds, as the next
+                                     ///< two
   std::optional<double> small_acceptance;
   std::optional<double> large_acceptance;
   std::vector<Mean> metrics;  ///< in the plan's order; count 0 where there is no value
-  /// Of the runs that know their error.
+  /// Runs that know their error.
   Mean estimated_error;
   Mean estimate_ratio;              ///< over the true one: means of ratios, of bounds none
   std::size_t lower_bounds = 0;     ///< runs that say that theirs is one, or unknown

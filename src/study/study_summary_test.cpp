@@ -149,7 +149,7 @@ TEST_F(Summary, PutsEstimatedErrorsBesideTrueOnes) {
       << cells[cells.size() - 2];
 }
 
-TEST_F(Summary, LeavesOutWhatHasNoRuns) {
+TEST_F(Summary, LeavesOutRowsWithoutRuns) {
   result_.runs.erase(result_.runs.begin());
   std::erase_if(result_.runs, [](const FinishedRun& finished) { return finished.run.method == 0; });
   const std::vector<SummaryRow> rows = summarise(plan_, result_);
@@ -186,7 +186,7 @@ TEST_F(Summary, TablesHaveTheNumbers) {
 }
 
 TEST_F(Summary, RunsThatHadLittleCpuTimeAreMarked) {
-  // Of a second on two threads; the machine has one core more.
+  // A render of one second on two threads; the machine has one core more.
   const auto rendered = [&](std::size_t run, double cpu, int threads) -> RunRecord& {
     Json& json = result_.runs[run].record.json;
     json["machine"] = {{"cores", 3}};

@@ -31,7 +31,7 @@ std::optional<double> value_of(const StudyPlan& plan, const SummaryRow& row,
   return found == swept.end() ? std::nullopt : number(found->second);
 }
 
-/// What the rows of a curve share: everything but the value on the axis.
+/// Key of the rows of a curve: everything but the value on the axis.
 std::string curve_name(const StudyPlan& plan, const SummaryRow& row, const std::string& parameter) {
   const Method& method = plan.methods[row.method];
   std::string name = method.family;

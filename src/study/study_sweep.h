@@ -4,7 +4,7 @@
 
 #include "study/study_summary.h"
 
-/// What the values of a swept parameter do: metrics against values.
+/// Metrics against the values of a swept parameter.
 namespace ajar::study {
 
 /// The runs of a method with one value of the parameter.
@@ -13,8 +13,8 @@ struct SweepPoint {
   Mean metric;  ///< over seeds
 };
 struct SweepCurve {
-  std::string name;                ///< of the method, and what else tells curves apart
-  std::vector<SweepPoint> points;  ///< of rising value
+  std::string name;                ///< name of the method, and other parts that distinguish curves
+  std::vector<SweepPoint> points;  ///< points of rising value
 };
 /// One scene, parameter and metric. The last curves are level: the baseline at the same budgets.
 struct SweepPlot {
@@ -29,7 +29,7 @@ struct SweepPlot {
 /// results.
 std::vector<SweepPlot> sweep_plots(const StudyPlan& plan, const std::vector<SummaryRow>& rows);
 
-/// Whether a method belongs into curves over time: one of a sweep with a single budget is a lone
+/// True if a method belongs into curves over time: one of a sweep with a single budget is a lone
 /// point there, and has its plot here.
 bool is_in_time_curves(const StudyPlan& plan, const Method& method);
 

@@ -57,7 +57,7 @@ TEST(StudySweep, HasACurvePerOtherValueAndTheBaselineAsALevel) {
   EXPECT_EQ(curves[2].points[1].metric.mean, 1.0);
 }
 
-TEST(StudySweep, CurvesOfSeveralBudgetsSayWhich) {
+TEST(StudySweep, CurvesOfSeveralBudgetsAreNamed) {
   StudyPlan plan = plan_of_sweep();
   for (Method& method : plan.methods) method.budgets.clear();
   const std::vector<SweepPlot> plots =

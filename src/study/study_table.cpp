@@ -7,7 +7,7 @@
 namespace ajar::study {
 
 namespace {
-/// Noise of the reference that decides more than this part of an error is worth a mark.
+/// Noise of the reference is marked if it is more than this part of an error.
 constexpr double kLoudReference = 0.1;
 
 std::string with_error(const Mean& mean) {
@@ -41,7 +41,7 @@ std::string acceptance_text(const SummaryRow& row) {
                      number(row.large_acceptance));
 }
 
-/// Whether a large part of a row's error is the reference's.
+/// True if a large part of a row's error is the reference's.
 bool is_loud(const StudyPlan& plan, const StudyResult& result, const SummaryRow& row) {
   const std::optional<double>& noise = result.noise.at(row.scene);
   if (!noise) return false;

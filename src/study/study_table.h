@@ -11,7 +11,7 @@ std::vector<std::string> table_header(const StudyPlan& plan);
 /// As many cells as the header has.
 std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& result,
                                      const SummaryRow& row);
-/// What the columns mean: Markdown, one paragraph.
+/// Legend of the columns: Markdown, one paragraph.
 std::string table_explanation(const StudyPlan& plan);
 
 }  // namespace ajar::study

@@ -12,7 +12,7 @@ TEST(MarkdownText, IsNoMarkup) {
   EXPECT_EQ(markdown_text("a\n# b \x1b[1m"), "a\\\\n\\# b \\\\x1b\\[1m");
 }
 
-TEST(CsvCell, QuotesWhatWouldEndIt) {
+TEST(CsvCell, QuotesDelimiters) {
   EXPECT_EQ(csv_cell("plain text"), "plain text");
   EXPECT_EQ(csv_cell("a,b"), "\"a,b\"");
   EXPECT_EQ(csv_cell("say \"x\"\r\n"), "\"say \"\"x\"\"\r\n\"");

@@ -5,7 +5,7 @@
 namespace ajar::study {
 namespace {
 
-TEST(TimeLeft, KnowsTimeLimitsAndLearnsTheRest) {
+TEST(TimeLeft, UsesTimeLimitsAndMeasuredSpeed) {
   StudyPlan plan;
   plan.budgets = {{10.0, std::nullopt}, {std::nullopt, 8}, {std::nullopt, 32}};
   std::vector<StudyRun> runs(4);

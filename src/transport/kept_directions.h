@@ -13,10 +13,10 @@ namespace ajar {
 /// Pantaleoni 2017, "Charted Metropolis Light Transport" (inverse maps).
 ///
 /// At each vertex that both the current subpath and the proposed one leave by a diffuse lobe
-/// (`Bsdf::inverse` could do it at others, but what has a highlight shines elsewhere when it
-/// turns), the proposal gets the numbers of the current direction. Which vertices these are is the
-/// same for the step back, which gives the numbers back as well; and with du = p dω (solid angle),
-/// the volume of the numbers changes by p_proposal/p_current, which belongs to the acceptance.
+/// (`Bsdf::inverse` could do it at others, but highlights move when the surface turns), the
+/// proposal gets the numbers of the current direction. The set of vertices is the same for the step
+/// back, which gives the numbers back as well; and with du = p dω (solid angle), the volume of the
+/// numbers changes by p_proposal/p_current, which belongs to the acceptance.
 class KeptDirections {
  public:
   /// For subpaths of no more vertices than that, endpoint included.
@@ -33,7 +33,7 @@ class KeptDirections {
   /// not either.
   void place(const PathVertex& vertex, float u_lobe, SampleAddress address,
              SampleSource& source) const;
-  /// It was drawn.
+  /// Records a sampled direction.
   void note(const PathVertex& vertex, float u_lobe, const Vec3& wi);
   /// The subpath traced since `begin`, if there is one, is the current one from now on.
   void accept();

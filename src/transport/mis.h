@@ -45,7 +45,7 @@ Number h(Heuristic heuristic, const Number& x) {
   return heuristic == Heuristic::Power ? x * x : x;
 }
 
-/// What the recursion needs to know of one step from z_i to z_{i+1}.
+/// Quantities of one step from z_i to z_{i+1} in the recursion.
 struct MisStep {
   bool specular;             ///< the scattering event at z_i
   double reverse_previous;   ///< r_{i-1}
@@ -53,7 +53,7 @@ struct MisStep {
                              ///< density
   double forward;            ///< F_{i+1}
   ByLane lanes;              ///< L_i
-  double class_coefficient;  ///< of the technique with i + 1 vertices on this side
+  double class_coefficient;  ///< coefficient of the technique with i + 1 vertices on this side
 };
 
 /// State at the endpoint z_0, whose position was sampled with density `forward`; c_0 =
@@ -79,8 +79,8 @@ inline ByLane MisState::sum(Heuristic heuristic, const ByLane& reverse,
          (inverse_forward * coefficient + partial * h(heuristic, reverse_previous));
 }
 
-/// What the recursion did at one vertex, kept where c_i depends on the depth of the whole path:
-/// sets that name single techniques. V_i is then only known at a connection, by walking the
+/// Quantities of the recursion at one vertex, kept where c_i depends on the depth of the whole
+/// path: sets that name single techniques. V_i is then only known at a connection, by walking the
 /// subpath.
 struct MisTrailEntry {
   ByLane inverse_forward{0.0};    ///< M_i

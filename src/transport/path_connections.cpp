@@ -13,7 +13,7 @@ double arrival_density(Pdf<Departure> departure, bool from_infinity, double dist
   return static_cast<double>(departure.value()) * static_cast<double>(cosine) * spread;
 }
 
-/// |cos θ| at an endpoint over d²: what turns a direction density at the other end into the
+/// |cos θ| at an endpoint over d²: factor from a direction density at the other end to the
 /// endpoint's measure.
 double endpoint_geometry(const Endpoint& endpoint, const EndpointPoint& point, const Vec3& w,
                          double distance) {
@@ -38,7 +38,7 @@ bool PathSampler::is_tried(double count, const Pair& pair, SampleSource& source)
 float PathSampler::cull(const Spectrum& contribution, float worth, const Pair& pair,
                         SampleSource& source) {
   const float survival = contribution.max() * worth;
-  if (!(survival < 1.F)) return 1.F;  // what is not a number is not swept away
+  if (!(survival < 1.F)) return 1.F;  // NaN is not culled
   return source.get(pair.address(kConnectionCull)) < survival ? 1.F / survival : 0.F;
 }
 
@@ -243,7 +243,7 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
   if (at_camera_vertex.value.is_black()) return;
   const BsdfValue at_light_vertex = light_vertex.evaluate(-w, TransportMode::Importance);
   const double own_count = count(technique);
-  // Density of both subpaths by one lane, over what it were if each had its own.
+  // Density of both subpaths by one lane, over that with independent lanes.
   const auto together = static_cast<float>(mean(camera_vertex.lanes * light_vertex.lanes));
   if (together == 0.F) return;
   const Spectrum unoccluded = camera_vertex.throughput * light_vertex.throughput *

@@ -9,47 +9,48 @@ class Nobody final : public PathSink {
 };
 
 template <typename Work>
-auto telling(PathSink* told, const Work& work) {
-  if (told != nullptr) return work(*told);
+auto observe(PathSink* observer, const Work& work) {
+  if (observer != nullptr) return work(*observer);
   Nobody nobody;
   return work(nobody);
 }
 }  // namespace
 
-template <typename Told>
-bool PathSampler::light_half(SampleSource& source, int vertices, PathVertex& end, Told& told) {
+template <typename Observer>
+bool PathSampler::light_half(SampleSource& source, int vertices, PathVertex& end,
+                             Observer& observer) {
   LightStart start;
-  if (!start_light(source, 0, told, start)) return false;
+  if (!start_light(source, 0, observer, start)) return false;
   while (true) {
-    if (!next_light_vertex(start, source, told, end)) return false;
+    if (!next_light_vertex(start, source, observer, end)) return false;
     if (end.edges == vertices - 1) return end.connectible();
     if (!scatter(light_walk_, end, source, start.flight)) return false;
-    told.scattered(Stream::Light, end, start.flight);
+    observer.scattered(Stream::Light, end, start.flight);
   }
 }
 
-template <typename Told>
+template <typename Observer>
 bool PathSampler::camera_half(SampleSource& source, const Vec2& raster, int vertices,
-                              PathVertex& end, Told& told) {
+                              PathVertex& end, Observer& observer) {
   Flight flight;
-  if (!start_camera(source, raster, told, flight)) return false;
+  if (!start_camera(source, raster, observer, flight)) return false;
   while (true) {
     const SegmentEnd segment = trace(camera_walk_, flight, source);
     if (!segment.hit && !segment.scattered) return false;
     arrive(camera_walk_, flight, segment, camera_side_coefficient(flight.edges + 1), end);
     if (end.throughput.is_black()) return false;
-    told.vertex(Stream::Camera, end, segment.hit ? &*segment.hit : nullptr);
+    observer.vertex(Stream::Camera, end, segment.hit ? &*segment.hit : nullptr);
     if (end.edges == vertices - 1) return end.connectible();
     if (!scatter(camera_walk_, end, source, flight)) return false;
-    told.scattered(Stream::Camera, end, flight);
+    observer.scattered(Stream::Camera, end, flight);
   }
 }
 
-template <typename Told>
+template <typename Observer>
 void PathSampler::implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink,
-                           Told& told) {
+                           Observer& observer) {
   Flight flight;
-  if (!start_camera(source, raster, told, flight)) return;
+  if (!start_camera(source, raster, observer, flight)) return;
   while (true) {
     const SegmentEnd segment = trace(camera_walk_, flight, source);
     const bool last = flight.edges + 1 == vertices - 1;
@@ -65,25 +66,26 @@ void PathSampler::implicit(SampleSource& source, const Vec2& raster, int vertice
                 {segment.hit->point, Vec3(0.F)}, sink);
       return;
     }
-    told.vertex(Stream::Camera, vertex, segment.hit ? &*segment.hit : nullptr);
+    observer.vertex(Stream::Camera, vertex, segment.hit ? &*segment.hit : nullptr);
     if (vertex.throughput.is_black() || !scatter(camera_walk_, vertex, source, flight)) return;
-    told.scattered(Stream::Camera, vertex, flight);
+    observer.scattered(Stream::Camera, vertex, flight);
   }
 }
 
 bool PathSampler::trace_light_half(SampleSource& source, int vertices, PathVertex& end,
-                                   PathSink* told) {
-  return telling(told, [&](auto& who) { return light_half(source, vertices, end, who); });
+                                   PathSink* observer) {
+  return observe(observer, [&](auto& each) { return light_half(source, vertices, end, each); });
 }
 
 bool PathSampler::trace_camera_half(SampleSource& source, const Vec2& raster, int vertices,
-                                    PathVertex& end, PathSink* told) {
-  return telling(told, [&](auto& who) { return camera_half(source, raster, vertices, end, who); });
+                                    PathVertex& end, PathSink* observer) {
+  return observe(observer,
+                 [&](auto& each) { return camera_half(source, raster, vertices, end, each); });
 }
 
 void PathSampler::sample_implicit(SampleSource& source, const Vec2& raster, int vertices,
-                                  PathSink& sink, PathSink* told) {
-  telling(told, [&](auto& who) { implicit(source, raster, vertices, sink, who); });
+                                  PathSink& sink, PathSink* observer) {
+  observe(observer, [&](auto& each) { implicit(source, raster, vertices, sink, each); });
 }
 
 void PathSampler::connect_halves(Technique technique, const PathVertex& light_end,

@@ -16,14 +16,13 @@ struct Contribution {
   Spectrum value;  ///< f / p · MIS weight
   Technique technique;
   double mis_weight;
-  /// The factor in `value` that is owed to chance alone: what Russian roulette and the culling of
-  /// weak connections multiply survivors by. Without it, `value` is a function of the path and its
-  /// technique.
+  /// Roulette weight in `value`: the factor of survivors of Russian roulette and of the culling of
+  /// weak connections. Without it, `value` is a function of the path and its technique.
   float chance = 1.F;
   /// Technique (0, t) only: no edge of the path could have been made by a connection, since one end
   /// of each scatters by a specular lobe.
   bool hit_only = false;
-  int light_subpath = 0;  ///< which of the sample's, if s ≥ 2
+  int light_subpath = 0;  ///< index of the sample's light subpath, if s ≥ 2
   /// Technique (s, 1) only: where on the film it lands. All others belong to the camera ray's own
   /// place.
   Vec2 raster{0.F, 0.F};
@@ -33,24 +32,23 @@ struct Contribution {
   const Light* light = nullptr;
 };
 
-/// Receives what a `PathSampler` finds. Vertices are reported before the contributions that use
-/// them.
+/// Receives the contributions of a `PathSampler`. Vertices are reported before the contributions
+/// that use them.
 class PathSink {
  public:
   virtual ~PathSink() = default;
   virtual void add(const Contribution& contribution) = 0;
-  /// Whether light traced to this raster position would count at all.
+  /// True if light traced to this raster position counts.
   virtual bool reaches(const Vec2& /*raster*/) const { return true; }
-  /// How many rays one unit of light (largest lane) is worth that lands at this raster position.
-  /// Connections that are worth less than a ray are traced by chance only, in proportion.
+  /// Rays that one unit of light (largest lane) is worth at this raster position. Connections worth
+  /// less than a ray are subject to Russian roulette in proportion.
   virtual float worth(const Vec2& /*raster*/) const {
     return std::numeric_limits<float>::infinity();
   }
   /// The first surface or medium vertex the camera sees, at `distance` from it; `hit` is null for a
   /// medium vertex.
   virtual void first_vertex(const PathVertex& /*vertex*/, const Hit* /*hit*/, float /*distance*/) {}
-  /// Where a subpath starts, every vertex of it, and how it went on from there: what `PathRecorder`
-  /// makes whole paths of.
+  /// Start of a subpath, each of its vertices, and its continuation, for `PathRecorder`.
   virtual void started(Stream /*stream*/, const Endpoint& /*endpoint*/,
                        const EndpointPoint& /*point*/) {}
   /// `hit` is null for a medium vertex.
@@ -73,9 +71,9 @@ struct PathSamplerSettings {
   /// image's pixels that these calls cover. If `sample` traces them itself: `light_subpaths` times
   /// that share.
   double light_paths_per_pixel = 1.0;
-  /// Efficiency-aware Russian roulette (after Rath et al. 2022): what the rest of a camera subpath
-  /// brings per unit of its throughput, root mean square, over the root of the rays that it takes.
-  /// Subpaths then survive as often as that is worth (`PathSink::worth`), from
+  /// Efficiency-aware Russian roulette (after Rath et al. 2022): contribution of the rest of a
+  /// camera subpath per unit of its throughput, root mean square, over the root of the rays that it
+  /// takes. Subpaths then survive in proportion to its worth (`PathSink::worth`), from
   /// `TransportHeuristics::kEfficientRouletteStart` on. 0: not known; roulette follows the
   /// throughput alone.
   float camera_rest = 0.F;
@@ -101,21 +99,21 @@ class PathSampler {
   void sample_light(SampleSource& source, PathSink& sink);
 
   // One technique at a time, half by half, for chains that move one half and keep the other. All
-  // paths must have the same depth (`min_depth` = `max_depth`). Vertices are `told`, unless that is
-  // null: chains need none of them, and have no time for it.
+  // paths must have the same depth (`min_depth` = `max_depth`). `observer` observes the vertices,
+  // unless it is null: chains need none of them.
 
   /// The last of the `vertices` − 1 ≥ 1 vertices that a light subpath has in the scene; false if it
   /// does not get there, or cannot be connected.
-  bool trace_light_half(SampleSource& source, int vertices, PathVertex& end, PathSink* told);
-  /// The same for a camera subpath.
+  bool trace_light_half(SampleSource& source, int vertices, PathVertex& end, PathSink* observer);
+  /// Traces a camera subpath.
   bool trace_camera_half(SampleSource& source, const Vec2& raster, int vertices, PathVertex& end,
-                         PathSink* told);
+                         PathSink* observer);
   /// Technique (s ≥ 1, t ≥ 1): a half of a single vertex is the endpoint alone, its `end` unused.
   void connect_halves(Technique technique, const PathVertex& light_end,
                       const PathVertex& camera_end, SampleSource& source, PathSink& sink);
   /// Technique (0, t).
   void sample_implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink,
-                       PathSink* told);
+                       PathSink* observer);
 
   /// Camera subpaths follow these directions, or are noted there; null: neither.
   void keep_directions(KeptDirections* directions) { camera_walk_.directions = directions; }
@@ -135,24 +133,24 @@ class PathSampler {
   bool next_light_vertex(LightStart& start, SampleSource& source, PathSink& sink,
                          PathVertex& vertex);
   bool start_camera(SampleSource& source, const Vec2& raster, PathSink& sink, Flight& flight);
-  /// Whether the camera looks past lights where this flight ended.
+  /// True if the camera looks past lights where this flight ended.
   static bool hides(const Flight& flight, const SegmentEnd& end);
-  /// Whether the depth that counts of a path with this technique, whose parts have this surplus, is
-  /// one that is wanted.
+  /// True if the counted depth of a path with this technique, whose parts have this surplus, is
+  /// enabled.
   bool counts(Technique technique, int surplus) const {
     return settings_.counted.holds(technique.depth() + surplus);
   }
   /// A camera path that runs into the lights at infinity.
   void leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const;
-  // Halves, in path_halves.cpp. `told` is of the class itself that is told, so that nobody costs
-  // nothing.
-  template <typename Told>
-  bool light_half(SampleSource& source, int vertices, PathVertex& end, Told& told);
-  template <typename Told>
+  // Halves, in path_halves.cpp. Templated, so that the null observer compiles away.
+  template <typename Observer>
+  bool light_half(SampleSource& source, int vertices, PathVertex& end, Observer& observer);
+  template <typename Observer>
   bool camera_half(SampleSource& source, const Vec2& raster, int vertices, PathVertex& end,
-                   Told& told);
-  template <typename Told>
-  void implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink, Told& told);
+                   Observer& observer);
+  template <typename Observer>
+  void implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink,
+                Observer& observer);
   void trace_light(SampleSource& source, PathSink& sink, int repeat);
   void trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink);
   SegmentEnd trace(const WalkSettings& walk, const Flight& flight, SampleSource& source);
@@ -165,12 +163,12 @@ class PathSampler {
   void connect_to_camera(const PathVertex& vertex, SampleSource& source, PathSink& sink);
   void connect_inner(const PathVertex& camera_vertex, const PathVertex& light_vertex,
                      SampleSource& source, PathSink& sink);
-  /// Who a connection is between, as its random numbers' address knows it.
+  /// Endpoints of a connection, for addressing its random numbers.
   struct Pair {
     int light_edges;
     int camera_edges;
     int repeat;
-    int surplus;  ///< of both
+    int surplus;  ///< surplus of both
     SampleAddress address(Slot slot) const {
       return {Stream::Connection, light_edges % 256 * 256 + camera_edges % 256, slot, repeat};
     }
@@ -188,7 +186,7 @@ class PathSampler {
                              const WeightOf& weight_of);
   /// Decides about a connection that is made less than once on average.
   static bool is_tried(double count, const Pair& pair, SampleSource& source);
-  /// Russian roulette of weak connections: what to multiply the survivors by, 0 for the others.
+  /// Russian roulette of weak connections: weight of the survivors, 0 for the others.
   static float cull(const Spectrum& contribution, float worth, const Pair& pair,
                     SampleSource& source);
 
@@ -215,7 +213,7 @@ class PathSampler {
   /// h(count) of the techniques of each class, if they are all alike.
   ByTechniqueClass<double> class_h_count_;
   bool light_tracing_reaches_ = false;  ///< the current camera path's place on the film
-  float worth_ = std::numeric_limits<float>::infinity();  ///< of light there
+  float worth_ = std::numeric_limits<float>::infinity();  ///< rays per unit of light there
   std::vector<PathVertex> light_vertices_;
   std::size_t light_vertex_count_ = 0;
   std::vector<MisTrailEntry> camera_trail_;  // these two only for sets that name single techniques

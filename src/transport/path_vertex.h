@@ -18,15 +18,16 @@ struct PathVertex {
   ByLane lanes;         ///< as in `FreeFlight`
   float roulette;       ///< the factor in it that comes from Russian roulette
   MisState mis;
-  /// Of the whole subpath, indexed by `edges`; null unless the set names single techniques.
+  /// MIS trail of the whole subpath, indexed by `edges`; null unless the set names single
+  /// techniques.
   const MisTrailEntry* trail = nullptr;
-  const Medium* medium;          ///< that the subpath arrived through
-  const MediumInterface* media;  ///< of the surface; null inside a medium
-  int edges;  ///< of the subpath: the endpoint is vertex 0, this one is vertex `edges`
+  const Medium* medium;          ///< medium that the subpath arrived through
+  const MediumInterface* media;  ///< interface of the surface; null inside a medium
+  int edges;  ///< edges of the subpath: the endpoint is vertex 0, this one is vertex `edges`
   /// By which the depth that counts is more than `edges`: interfaces that add to it, less the
   /// events that do not.
   int surplus;
-  int repeat = 0;  ///< which light subpath of the sample this one belongs to
+  int repeat = 0;  ///< index of the light subpath of the sample
   bool in_medium;  ///< scatters in `medium` instead of at a surface
   bool on_light;   ///< the surface shines
   Bsdf bsdf;       ///< undefined inside a medium
@@ -44,7 +45,7 @@ struct PathVertex {
   bool connectible() const { return in_medium || bsdf.connectible(); }
   /// |cos θ| of the geometric normal with `w`; 1 inside media, which have no orientation.
   float cosine(const Vec3& w) const { return in_medium ? 1.F : abs_dot(bsdf.ng(), w); }
-  /// Of no medium on surfaces.
+  /// Without a medium on surfaces.
   MediumPoint scattered_in() const { return {in_medium ? medium : nullptr, p}; }
   /// The medium that a ray leaving along `w` is in.
   const Medium* medium_toward(const Vec3& w) const {

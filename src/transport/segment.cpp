@@ -14,14 +14,14 @@ const Medium* medium_beyond(const Hit& hit, const Vec3& direction, const Medium*
   return dot(direction, hit.point.ng) > 0.F ? hit.media->outside : hit.media->inside;
 }
 
-/// Whether nothing scatters a ray at this hit.
+/// True if nothing scatters a ray at this hit.
 bool is_passed(const Hit& hit, const Ray& ray) {
   return hit.cut_away || hit.is_interface() || (ray.passes_lights && hit.light != nullptr);
 }
 
 bool adds_edge(const Hit& hit) { return hit.cut_away || hit.material->adds_edge; }
 
-/// `depth` of what is crossed (Beer–Lambert).
+/// Multiplies by the transmittance of `depth` (Beer–Lambert).
 void cross_depth(const Medium& medium, const Spectrum& depth, Segment& segment) {
   segment.transmittance *= exp(depth * -1.F);
   if (medium.scatters()) segment.scattering_depth += depth;
@@ -31,7 +31,7 @@ void cross_medium(const Medium* medium, const Ray& ray, float distance, Segment&
   if (medium != nullptr) cross_depth(*medium, medium->along(ray, distance).depth, segment);
 }
 
-/// Whether a ray that met nothing was not traced at all, which is counted.
+/// Counts rays that could not be traced; true for such a ray.
 bool was_lost(const Scene& scene, const Ray& ray, RayCounts& rays) {
   if (scene.can_trace(ray)) return false;
   ++rays.rays_out_of_range;
@@ -130,7 +130,7 @@ SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium, cons
     if (!found || !is_passed(hit, ray)) break;
     if (adds_edge(hit)) {
       ++end.segment.counted_interfaces;
-      // The camera sees lights beyond what is a vertex of its path.
+      // The camera sees lights beyond a vertex of its path.
       ray.passes_lights = false;
     }
     medium = medium_beyond(hit, ray.direction, medium);
@@ -179,7 +179,7 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
     if (!is_passed(*hit, ray)) return std::nullopt;
     passed_light = passed_light || !(hit->cut_away || hit->is_interface());
     if (adds_edge(*hit)) {
-      // The camera sees lights beyond what is a vertex of its path.
+      // The camera sees lights beyond a vertex of its path.
       if (heading == Heading::AwayFromCamera) {
         ray.passes_lights = false;
       } else if (passed_light) {
@@ -191,8 +191,7 @@ std::optional<Segment> connect(const Scene& scene, Ray ray, const Medium* medium
     medium = medium_beyond(*hit, ray.direction, medium);
     const Vec3 next = offset_ray_origin(hit->point.p, hit->point.ng, ray.direction);
     if (bounded) {
-      // Aimed anew, or roundings would add up and the ray could hit what it was to stop in front
-      // of.
+      // Aimed anew, or roundings would add up and the ray could hit the surface of its target.
       const Vec3 left = target - next;
       const float distance = length(left);
       if (dot(left, ray.direction) <= 0.F || distance == 0.F) return segment;

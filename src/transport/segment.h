@@ -8,7 +8,7 @@
 
 namespace ajar {
 
-/// What lies along a straight piece of a path between two vertices.
+/// A straight edge of a path between two vertices.
 struct Segment {
   Spectrum transmittance{1.F};
   /// Optical depth per lane of the scattering media only: distances are sampled from these, while
@@ -37,7 +37,7 @@ struct FreeFlight {
   /// `lanes`: density of the subpath so far by each lane, over its density by all of them.
   FreeFlight(const Segment& segment, const ByLane& lanes, const MediumPoint& end = {});
   Spectrum weight;  ///< transmittance (· σ_s) / density by all lanes, given the subpath so far
-  ByLane lanes;     ///< of the subpath with this segment
+  ByLane lanes;     ///< live lanes of the subpath with this segment
 };
 
 /// Where a traced segment ended.
@@ -46,14 +46,14 @@ struct SegmentEnd {
   const Medium* medium;     ///< at the end
   float distance;           ///< from the ray's origin; infinity if it left the scene
   bool scattered = false;   ///< in `medium`, at origin + distance · direction
-  bool lost = false;        ///< the ray could not be traced: nobody knows what it would have met
+  bool lost = false;        ///< the ray could not be traced: its end is unknown
   Spectrum weight{1.F};     ///< transmittance (· σ_s) / distance pdf
-  ByLane lanes = kAnyLane;  ///< of the subpath up to here
+  ByLane lanes = kAnyLane;  ///< live lanes of the subpath up to here
   Segment segment;
 };
 
-// The numbers by which `trace_segment` ends segments that cross scattering media. What it forgets
-// is taken from `fresh` (docs/methods/inverses.md).
+// The numbers by which `trace_segment` ends segments that cross scattering media. Undetermined
+// numbers are taken from `fresh` (docs/methods/inverses.md).
 
 /// The number of `kLaneChoice`. `pdf`: density of the whole path by each lane. Empty if no lane
 /// makes it.
@@ -82,14 +82,14 @@ class DistanceSource {
 SegmentEnd trace_segment(const Scene& scene, Ray ray, const Medium* medium, const ByLane& lanes,
                          const DistanceSource& numbers, RayCounts& rays);
 
-/// Whether anything at all lies on `ray`, or it cannot be traced. It is counted either way.
+/// True if anything at all lies on `ray`, or it cannot be traced. Counts the ray either way.
 bool is_blocked(const Scene& scene, const Ray& ray, RayCounts& rays);
 
-/// The segment between two points if nothing opaque lies between them; empty if interfaces may,
-/// which only tracing tells.
+/// The segment between two points if nothing opaque lies between them; empty if there may be
+/// interfaces, which need tracing.
 std::optional<Segment> unobstructed(const Scene& scene, const Ray& ray, const Medium* medium);
 
-/// Which way a ray that passes lights runs along the path: beyond an interface that counts, as seen
+/// Direction along the path of a ray that passes lights: beyond an interface that counts, as seen
 /// from the camera, lights are met.
 enum class Heading { TowardCamera, AwayFromCamera };
 

@@ -56,7 +56,7 @@ TEST(Segments, RaysThatCannotBeTracedAreLostAndCounted) {
   }
 }
 
-/// Two numbers, whatever they are asked for.
+/// Two numbers, for any address.
 struct TwoNumbers final : SampleSource {
   explicit TwoNumbers(const Vec2& n) : numbers(n) {}
   float get(SampleAddress address) override {
@@ -66,7 +66,7 @@ struct TwoNumbers final : SampleSource {
   Vec2 numbers;
 };
 
-/// Of the cube around the ball and more, denser to one side and empty in a corner.
+/// Smoke in a box larger than the cube around the ball, denser to one side and empty in a corner.
 desc::Density smoke() {
   desc::DensityGrid grid{{3, 2, 3}, {}, desc::DensityGrid::Points::Centers, {}};
   for (int i = 0; i < 18; ++i) grid.values.push_back(i < 3 ? 0.F : 0.1F * static_cast<float>(i));
@@ -121,7 +121,7 @@ TEST(FreeFlights, AreWorthTransmittanceOverTheMeanOfTheDensitiesByLane) {
   }
 }
 
-TEST(FreeFlights, OfGreyMediaKnowNoLane) {
+TEST(FreeFlights, OfGreyMediaHaveNoLane) {
   const Medium medium("m", Spectrum(0.1F), Spectrum(0.3F), 0.F);
   Segment segment;
   segment.scattering_depth = Spectrum(0.7F);

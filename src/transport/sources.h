@@ -11,9 +11,9 @@ namespace ajar {
 /// sequence per pixel; the light's from one sequence for the whole image, since light subpaths
 /// belong to no pixel.
 struct SampleIdentity {
-  std::uint64_t camera_seed;   ///< of the pixel and replicate
+  std::uint64_t camera_seed;   ///< seed of the pixel and replicate
   std::uint32_t camera_index;  ///< within the pixel
-  std::uint64_t light_seed;    ///< of the replicate
+  std::uint64_t light_seed;    ///< seed of the replicate
   std::uint32_t light_index;   ///< within the image
 };
 
@@ -50,9 +50,9 @@ class IndependentSource final : public SampleSource {
 
 /// Owen-scrambled Sobol' points: each pair of slots of each vertex has its own scrambled and
 /// shuffled two-dimensional set ("padding"). The numbers of a vertex are made at once when the
-/// first of them is asked for, but for those of media, which few paths need. Whether connections
-/// are tried is decided by independent numbers: there are many of them, one at a time, and points
-/// so far from the first would be no better. Source: Kollig & Keller 2002; Burley 2020.
+/// first of them is requested, but for those of media, which few paths need. The roulette of
+/// connections uses independent numbers: there are many of them, one at a time, and points so far
+/// from the first would be no better. Source: Kollig & Keller 2002; Burley 2020.
 class SobolSource final : public SampleSource {
  public:
   explicit SobolSource(const SampleIdentity& identity)
@@ -97,7 +97,7 @@ class SobolSource final : public SampleSource {
 
   SampleIdentity identity_;
   IndependentSource independent_;
-  std::array<Block, 2> blocks_;  // of the camera, and of the light
+  std::array<Block, 2> blocks_;  // blocks of the camera, and of the light
 };
 
 }  // namespace ajar

@@ -16,19 +16,19 @@ struct Flight {
   Vec3 reference{0.F, 0.F, 0.F};  ///< z_i itself; the ray starts a little off it
   int edges = 0;                  ///< index i of the vertex it left
   int surplus = 0;                ///< see PathVertex, with the event at z_i
-  /// What Russian roulette multiplies the throughput by: squared index ratios undo the scaling of
-  /// radiance, and the throughput that light starts with says nothing of how much is left of it.
-  /// If it is efficiency-aware, so does what the rest of the path may be worth.
+  /// Factor of the throughput in Russian roulette: squared index ratios undo the scaling of
+  /// radiance, and the initial throughput of light is normalised. Efficiency-aware roulette
+  /// includes the expected worth of the rest of the path.
   float roulette_scale = 1.F;
-  float roulette = 1.F;  ///< what roulette has multiplied the throughput by so far
+  float roulette = 1.F;  ///< product of roulette weights so far
   // For the MIS recursion:
-  MisState mis;           ///< of z_i
+  MisState mis;           ///< MIS state of z_i
   float departure = 0.F;  ///< density (or probability) of the direction, for endpoints at infinity
                           ///< of the position
   bool from_infinity = false;
   bool specular = false;                 ///< the scattering event at z_i
   bool has_rough_edge = false;           ///< both ends of an edge so far are not specular
-  ScatterEvent event;                    ///< the same, in full
+  ScatterEvent event;                    ///< full scattering event
   float reverse_previous = 0.F;          ///< r_{i-1}
   float cosine = 1.F;                    ///< |cos θ_i| at z_i; 1 where there is no surface
   const Medium* scattered_in = nullptr;  ///< the medium that z_i lies in, if it is not on a surface
@@ -46,7 +46,7 @@ struct WalkSettings {
   /// Paths may end before `roulette_start`, too, and survive for certain until then if they are
   /// worth it.
   bool efficient_roulette = false;
-  int repeat = 0;  ///< which light subpath of the sample this is
+  int repeat = 0;  ///< index of the light subpath of the sample
   /// Directions to follow or to keep, if not null.
   KeptDirections* directions = nullptr;
   /// Where the recursion is recorded, if the set names single techniques; room for every vertex.

@@ -74,7 +74,7 @@ TechniqueSet::Rule parse_pair(const std::string& item, const std::string& name, 
   return rule;
 }
 
-/// What a count may be depends on what there is to try again.
+/// Counts are allowed only where a technique can be tried again.
 void check_count(const std::string& item, TechniqueClass kind, double count) {
   if (kind == TechniqueClass::Implicit && count != 1.0) {
     reject(item, "cannot have a count: a camera path runs into lights by itself");
@@ -93,7 +93,7 @@ std::vector<TechniqueClass> classes_of(const TechniqueSet::Rule& rule) {
   std::vector<TechniqueClass> result;
   for (int s = 0; s <= 2; ++s) {
     for (int t = 1; t <= 3; ++t) {
-      // The small pairs stand for all larger ones.
+      // The small pairs represent all larger ones.
       const bool same_s = rule.s == TechniqueSet::kAny || std::min(rule.s, 2) == s;
       const bool same_t = rule.t == TechniqueSet::kAny || std::min(rule.t, 3) == t;
       if (same_s && same_t && s + t >= 3) result.push_back(class_of({s, t}));
@@ -129,7 +129,7 @@ std::string_view name_of(TechniqueClass kind) {
 
 TechniqueSet::TechniqueSet(const ByTechniqueClass<double>& counts, std::vector<Rule> rules)
     : counts_(counts), rules_(std::move(rules)) {
-  // Exact pairs say more than pairs with a wildcard, whatever their order.
+  // Exact pairs take precedence over pairs with a wildcard, in any order.
   std::stable_partition(rules_.begin(), rules_.end(),
                         [](const Rule& rule) { return rule.s != kAny && rule.t != kAny; });
   for (std::size_t i = 0; i < any_.size(); ++i) any_[i] = counts_[i] > 0.0;

@@ -7,8 +7,7 @@
 
 namespace ajar {
 
-/// How a path is built: s vertices from the light, t from the camera
-/// (docs/methods/bidirectional.md).
+/// Numbers of vertices from the light, s, and from the camera, t (docs/methods/bidirectional.md).
 struct Technique {
   int s;
   int t;
@@ -23,13 +22,13 @@ enum class TechniqueClass {
   NextEvent,  ///< (1, k), called "explicit" by users
   Light,      ///< (k, 1): light path connected to the lens
   Inner,      ///< (s ≥ 2, t ≥ 2)
-  Count       ///< of them, not one itself
+  Count       ///< number of classes
 };
 constexpr std::size_t index_of(TechniqueClass kind) { return static_cast<std::size_t>(kind); }
 /// One of each, by `index_of`.
 template <typename Value>
 using ByTechniqueClass = std::array<Value, index_of(TechniqueClass::Count)>;
-/// Of a technique that exists.
+/// Class of a technique that exists.
 constexpr TechniqueClass class_of(Technique technique) {
   if (technique.s == 0) return TechniqueClass::Implicit;
   if (technique.t == 1) return TechniqueClass::Light;
@@ -38,9 +37,9 @@ constexpr TechniqueClass class_of(Technique technique) {
 /// "implicit", "explicit", "light" or "inner".
 std::string_view name_of(TechniqueClass kind);
 
-/// The techniques an integrator uses, and how often. MIS weights are over exactly this set, so any
-/// set that covers the light paths of a scene is unbiased. What the lens sees directly, technique
-/// (0, 2), always belongs to it; (1, 1) and (k+1, 0) never do.
+/// The techniques an integrator uses, and their counts. MIS weights are over exactly this set, so
+/// any set that covers the light paths of a scene is unbiased. Direct visibility, technique (0, 2),
+/// always belongs to it; (1, 1) and (k+1, 0) never do.
 ///
 /// A count is the number of tries at each opportunity (a camera vertex for next event estimation, a
 /// light vertex for light tracing, a pair of vertices for inner connections), on average: 0.5
@@ -57,12 +56,12 @@ class TechniqueSet {
   };
   static constexpr double kMaxNextEventCount = 32.0;
 
-  /// Reads what users write: names of sets (pt, lt, ibpt, bdpt) and of classes (implicit, explicit,
-  /// light, inner) and pairs `(s,t)` or `(s,*)`, separated by commas, each with an optional count
-  /// `*n`. Raises UsageError.
+  /// Reads the user's syntax: names of sets (pt, lt, ibpt, bdpt) and of classes (implicit,
+  /// explicit, light, inner) and pairs `(s,t)` or `(s,*)`, separated by commas, each with an
+  /// optional count `*n`. Raises UsageError.
   static TechniqueSet parse(const std::string& text);
 
-  /// Whether both are written alike; sets written differently may still be the same.
+  /// True if both are written alike; sets written differently may still be the same.
   bool operator==(const TechniqueSet&) const = default;
 
   static TechniqueSet pt() { return parse("pt"); }
@@ -86,7 +85,7 @@ class TechniqueSet {
   bool tries_once() const;
   /// True if all techniques of a class have the same count.
   bool uniform() const { return rules_.empty(); }
-  /// Whether any technique of the class belongs to the set ((0, 2) aside).
+  /// True if any technique of the class belongs to the set ((0, 2) aside).
   bool any(TechniqueClass kind) const { return any_[index_of(kind)]; }
   bool needs_light_subpath() const {
     return any(TechniqueClass::Light) || any(TechniqueClass::Inner);

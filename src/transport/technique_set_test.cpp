@@ -7,7 +7,7 @@
 namespace ajar {
 namespace {
 
-TEST(TechniqueSet, NamesStandForTheSetsOfTheFamily) {
+TEST(TechniqueSet, NamesDenoteTheSetsOfTheFamily) {
   for (int s = 0; s <= 5; ++s) {
     for (int t = 0; t <= 5; ++t) {
       EXPECT_EQ(TechniqueSet::parse("pt").count({s, t}), TechniqueSet::pt().count({s, t}));
@@ -19,7 +19,7 @@ TEST(TechniqueSet, NamesStandForTheSetsOfTheFamily) {
   }
 }
 
-TEST(TechniqueSet, WhatTheLensSeesAlwaysBelongsAndImpossiblePairsNever) {
+TEST(TechniqueSet, DirectVisibilityAlwaysBelongsAndImpossiblePairsNever) {
   for (const char* text : {"pt", "lt", "bdpt", "(2,1)", "(*,1)", "(*,*)"}) {
     const TechniqueSet set = TechniqueSet::parse(text);
     EXPECT_TRUE(set.enabled({0, 2})) << text;
@@ -52,7 +52,7 @@ TEST(TechniqueSet, CountsBelongToClassesAndPairs) {
   EXPECT_EQ(set.count({2, 2}), 1.0) << "exact pairs come first";
 }
 
-TEST(TechniqueSet, ErrorsSayWhatIsAllowed) {
+TEST(TechniqueSet, ErrorsListAllowedValues) {
   for (const char* text : {"",
                            "explcit",
                            "pt,",
@@ -83,7 +83,7 @@ TEST(TechniqueSet, ErrorsSayWhatIsAllowed) {
   }
 }
 
-TEST(TechniqueSet, KnowsWhetherEachTechniqueIsTriedOnce) {
+TEST(TechniqueSet, ReportsWhetherEachTechniqueIsTriedOnce) {
   for (const char* text : {"pt", "bdpt", "implicit,light", "(0,*),(1,2),(*,1)"}) {
     EXPECT_TRUE(TechniqueSet::parse(text).tries_once()) << text;
   }

@@ -18,7 +18,7 @@
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
 
-/// What chains must not change: brightness, whatever the importance map, and how it scatters.
+/// Brightness of pictures by chains, for any importance map, and its scatter.
 namespace ajar {
 namespace {
 
@@ -65,27 +65,20 @@ TEST_P(Importance, LeavesTheExpectationAsItIs) {
   options.samples = 128;
   options.integrator = "bdpt";
   const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
-  // Of the full picture, or of the crop alone.
+  // Noise of the full picture, or of the crop alone.
   const Vec2i size = small.crop ? small.crop->max - small.crop->min + Vec2i(1, 1) : resolution;
   const NoiseMap noise(size.x, size.y);
   options.seed = 2;
   options.samples = 224;
-  for (const char* integrator : {"mmlt+", "pssmlt+"}) {
-    options.integrator = integrator;
+  // Both halves weigh by the map what they share.
+  options.integrator = "selective";
+  for (const char* chain : {"mmlt", "mlt"}) {
     for (const std::string& map : {std::string("relative"), noise.path()}) {
-      options.parameters = {{"importance", map}, {"bootstrap", "100000"}};
+      options.parameters = {{"chain", chain}, {"split", "0.5"}, {"importance", map}};
       const test::Render render = test::render(*scene, options);
       expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.4,
-                  std::string(integrator) + ", importance " + map);
+                  std::string("selective, chain ") + chain + ", importance " + map);
     }
-  }
-  // Chains of explicit paths weigh by the map what they share with ordinary Monte Carlo, too.
-  options.integrator = "selective";
-  for (const char* chain : {"mlt", "erpt"}) {
-    options.parameters = {{"chain", chain}, {"split", "0.5"}, {"importance", noise.path()}};
-    const test::Render render = test::render(*scene, options);
-    expect_same(replicates_of(render, "indirect"), truth, *render.film, 0.4,
-                std::string("selective, chain ") + chain);
   }
 }
 
@@ -100,8 +93,8 @@ TEST(Importance, MapOfTheFullPictureServesACropOfIt) {
   options.max_depth = 5;
   options.crop = small.crop;
   options.samples = 512;
-  options.integrator = "mmlt+";
-  options.parameters = {{"bootstrap", "120000"}};
+  options.integrator = "selective";
+  options.parameters = {{"split", "0.5"}};
   const Replicates truth = replicates_of(test::render(*scene, options), "indirect");
   const NoiseMap noise(64, 40);
   options.parameters["importance"] = noise.path();
@@ -128,20 +121,22 @@ Scatter scatter(const Scene& scene, test::RenderOptions options, int seeds) {
 
 class OverSeeds : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(OverSeeds, BrightnessScattersAsErrorBarsSay) {
+TEST_P(OverSeeds, BrightnessScattersWithinErrorBars) {
   constexpr int kSeeds = 100;
-  // As published, mmlt knows b from the bootstrap alone, to which caustics are rare.
-  const bool is_published_mmlt = GetParam() == "mmlt";
+  // They know b from the bootstrap alone, to which caustics are rare.
+  const bool has_rare_caustics = GetParam() == "mmlt" || GetParam() == "pssmlt";
   const auto scene =
-      test::scene_from(small_scene(is_published_mmlt ? "Room" : "NestedDielectrics").text);
+      test::scene_from(small_scene(has_rare_caustics ? "Room" : "NestedDielectrics").text);
   test::RenderOptions options;
   options.replicates = 8;
   options.max_depth = 6;
   // Chains of explicit paths, and those without ordinary Monte Carlo, scatter twice as much.
-  const bool scatters = is_published_mmlt || GetParam() == "mlt" || GetParam() == "erpt";
+  const bool scatters = has_rare_caustics || GetParam() == "mlt" || GetParam() == "erpt";
   options.samples = scatters ? 40 : 16;
   options.integrator = GetParam();
-  options.parameters = {{"bootstrap", scatters ? "8000" : "4000"}};
+  if (test::has_parameter(GetParam(), "bootstrap")) {
+    options.parameters["bootstrap"] = scatters ? "8000" : "4000";
+  }
   const Scatter chains = scatter(*scene, options, kSeeds);
 
   // The variance of means over that of error bars follows F(99, 700). ½ ln F is nearly normal with
@@ -167,95 +162,6 @@ INSTANTIATE_TEST_SUITE_P(
     Chains, OverSeeds,
     ::testing::ValuesIn(test::methods_but(test::those_without_chains("it has no b"))),
     [](const auto& test) { return test::name_for_tests(test.param); });
-
-/// A floor and a wall lit by a small ball. Camera paths alone hardly ever run into it.
-std::unique_ptr<Scene> rarely_lit(double radius) {
-  return test::scene_from(test::pbrt_scene(
-      "LookAt 0 1 -3  0 0.5 0  0 1 0\nCamera \"perspective\" \"float fov\" [50]", 12, 8,
-      "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [100 100 100] Translate 0 0.7 0.2\n"
-      "Shape \"sphere\" \"float radius\" [" +
-          std::to_string(radius) +
-          "] AttributeEnd\n"
-          "Material \"matte\" \"rgb Kd\" [0.8 0.8 0.8]\n"
-          "Shape \"trianglemesh\" \"point P\" [-2 0 -2  2 0 -2  2 0 1  -2 0 1] \"integer "
-          "indices\" [0 2 1 0 3 2]\n"
-          "Shape \"trianglemesh\" \"point P\" [-2 0 1  2 0 1  2 3 1  -2 3 1] \"integer "
-          "indices\" [0 2 1 0 3 2]\n"));
-}
-
-test::RenderOptions rare_options() {
-  test::RenderOptions options;
-  options.replicates = 2;
-  options.min_depth = 3;
-  options.max_depth = 3;
-  return options;
-}
-
-Estimate rare_truth(const Scene& scene) {
-  test::RenderOptions options = rare_options();
-  options.integrator = "pt";
-  options.samples = 8192;
-  return image_mean(replicates_of(test::render(scene, options)));
-}
-
-struct RareCase {
-  const char* integrator;
-  double radius;
-  int samples;  ///< mutations per pixel; 16 and 32 make four passes, others one
-  int seeds;
-
-  friend void PrintTo(const RareCase& c, std::ostream* out) {
-    *out << c.integrator << ", radius " << c.radius << ", " << c.samples << " samples";
-  }
-};
-class RareLight : public ::testing::TestWithParam<RareCase> {};
-
-// With so small a bootstrap a population often finds no light, and one that does takes it for much
-// more than it is. Both are right on average only together.
-TEST_P(RareLight, IsRightOnAverageThoughTheBootstrapMostlyMissesIt) {
-  const auto scene = rarely_lit(GetParam().radius);
-  test::RenderOptions options = rare_options();
-  const Estimate truth = rare_truth(*scene);
-  options.integrator = GetParam().integrator;
-  options.samples = GetParam().samples;
-  options.parameters = {{"bootstrap", "1000"}, {"techniques", "implicit"}};
-  const Moments means = scatter(*scene, options, GetParam().seeds).means;
-  const double error = std::hypot(means.standard_error(), truth.standard_error);
-  EXPECT_NEAR(means.mean(), truth.value, 5.0 * error);
-  EXPECT_LT(5.0 * error, 0.5 * truth.value) << "too noisy to notice what it should";
-}
-
-// The same where no population has found any: the plain samples that stand for the large steps of
-// the chains there are not must be worth as much as those, w of the light (see
-// `ChainItems::refine_b`). In the test above they are a tenth of the light, as much as its error.
-TEST(RareLight, ChainsThatAreNotFoundAreReplacedByPlainSamples) {
-  const auto scene = rarely_lit(0.015);
-  test::RenderOptions options = rare_options();
-  const Estimate truth = rare_truth(*scene);
-  options.samples = 512;
-  constexpr double kLargeSteps = 0.5 * 512 * 12 * 8;
-  options.parameters = {{"bootstrap", "1000"}, {"techniques", "implicit"}, {"large-step", "0.5"}};
-  for (const char* integrator : {"pssmlt+", "mmlt+"}) {
-    options.integrator = integrator;
-    Moments means;
-    double bootstrap = 0.0;
-    for (options.seed = 1; options.seed <= 150; ++options.seed) {
-      const test::Render render = test::render(*scene, options);
-      const MethodReport report = render.integrator->report();
-      if (report.at("chains") == 0) means.add(image_mean(replicates_of(render, "indirect")).value);
-      bootstrap = report.at("bootstrap_samples").get<double>();
-    }
-    const double weight = kLargeSteps / (bootstrap + kLargeSteps);
-    EXPECT_NEAR(means.mean(), weight * truth.value, 5.0 * means.standard_error()) << integrator;
-    EXPECT_LT(5.0 * means.standard_error(), 0.5 * truth.value)
-        << "too noisy to notice what it should";
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Cases, RareLight,
-                         ::testing::Values(RareCase{"pssmlt+", 0.03, 32, 1600},
-                                           RareCase{"pssmlt+", 0.03, 10, 2400},
-                                           RareCase{"mmlt+", 0.03, 32, 1600}));
 
 }  // namespace
 }  // namespace ajar

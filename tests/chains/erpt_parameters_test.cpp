@@ -7,7 +7,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// `erpt` has chains of two kinds, and neither has what moves the other.
+/// `erpt` has chains of two kinds, with separate parameters for their moves.
 namespace ajar {
 namespace {
 

@@ -13,14 +13,14 @@
 #include "support/path_samples.h"
 #include "support/render.h"
 
-/// What moves through glossy vertices: as densely as it says.
+/// Densities of perturbations through glossy vertices.
 namespace ajar {
 namespace {
 
 /// A thing that vertices are on.
 struct Thing {
   char name;
-  /// How near to another vertex those of a region are, scene units.
+  /// Radius of a region around a vertex, scene units.
   float radius;
 };
 constexpr Thing kBall{'b', 0.006F};
@@ -29,13 +29,13 @@ constexpr Thing kWall{'w', 0.09F};
 constexpr Thing kPane{'p', 0.015F};
 const char* const kFrontCamera =
     "LookAt 0 0.9 -1  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [50]";
-const Vec3 kMiddle(0.F, 0.6F, 0.1F);  ///< of the ball
+const Vec3 kMiddle(0.F, 0.6F, 0.1F);  ///< centre of the ball
 
 struct HalfVectorCase {
   const char* name;
   std::string things;     ///< pbrt-v3
-  std::vector<Thing> on;  ///< what the vertices of the path are on, from the light
-  std::size_t glossy;     ///< which of them
+  std::vector<Thing> on;  ///< things that the vertices of the path are on, from the light
+  std::size_t glossy;     ///< index of the glossy vertex
 };
 
 void PrintTo(const HalfVectorCase& c, std::ostream* out) { *out << c.name; }
@@ -142,7 +142,7 @@ Path moved(const Path& x, const HalfVectorCase& c, PathMutation& mutation) {
 
 /// The mean over proposals of 1/T is the size of the region that they are in, if T is their
 /// density: here the product of discs, which have the same area on a sphere as on a plane.
-TEST_P(HalfVector, MovesAsDenselyAsItSays) {
+TEST_P(HalfVector, FollowsItsDensity) {
   const HalfVectorCase& c = GetParam();
   const auto scene = test::scene_from(test::pbrt_scene(kFrontCamera, 48, 32, c.things));
   const PathBounds bounds = test::path_sample_bounds(*scene);

@@ -1,5 +1,4 @@
-// What a stranger has put into a checkpoint in the place of an integrator's state is refused, or
-// can be rendered on.
+// Corrupt states of an integrator in a checkpoint are refused, or can be rendered on.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -28,21 +27,18 @@ struct Method {
   std::map<std::string, std::string> parameters;
 };
 
-/// All that any method keeps: chains, recruits, rates, prices, errors that last; and maps.
+/// Everything that methods keep: chains, seeds, sample rates, prices; and maps of visits.
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const std::string& name :
        test::methods_but(test::those_without_chains("it keeps nothing, see below"))) {
     methods.push_back({test::name_for_tests(name), name, {{"bootstrap", "1000"}}});
     if (name == "selective") {
-      methods.back().parameters = {{"split", "0.1"}, {"pilot-samples", "8"}};
+      methods.back().parameters = {{"split", "0.1"}};
     }
   }
-  methods.push_back(
-      {"paths",
-       "selective",
-       {{"chain", "mlt"}, {"split", "0.1"}, {"pilot-samples", "8"}, {"bootstrap", "1000"}}});
-  methods.push_back({"maps", "mmlt+", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}});
+  methods.push_back({"paths", "selective", {{"chain", "mlt"}, {"split", "0.1"}}});
+  methods.push_back({"maps", "mmlt", {{"step", "adaptive"}, {"m1", "1"}, {"bootstrap", "1000"}}});
   return methods;
 }
 
@@ -99,7 +95,7 @@ std::string bytes_of(Value value) {
   return bytes;
 }
 
-TEST(KeptState, IsNoneOfMethodsWithoutChains) {
+TEST(KeptState, IsEmptyWithoutChains) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
   for (const auto& [name, reason] : test::those_without_chains("they keep some")) {
     const IntegratorInfo& info = find_integrator(name);
@@ -128,7 +124,7 @@ TEST_P(HostileState, IsRefusedOrCanBeRenderedOn) {
   std::mt19937 random(3);
   int refused = 0;
   for (int i = 0; i < 150; ++i) {
-    // Most of it is the numbers of chains: what stands before and after them is met as often.
+    // Most of it is the numbers of chains: the parts before and after them are hit as often.
     const std::size_t end = i % 2 == 0 ? good_.size() : std::min<std::size_t>(good_.size(), 600);
     const std::size_t from_begin = random() % end;
     const std::string& value = values[random() % values.size()];

@@ -199,7 +199,7 @@ TEST(KeptDirections, AreThoseOfTheLastSubpathTracedAndAccepted) {
   EXPECT_EQ(kept()->y, current->direction.y);
 }
 
-/// Of steps of the raster numbers, from states that two small lamps light.
+/// Acceptance of steps of the raster numbers, from states that two small lamps light.
 double acceptance(bool follow) {
   PrimarySettings settings;
   settings.probabilities = {0.0, 0.0, 0.0, 0.0, 1.0};

@@ -21,8 +21,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// Moves by manifold walks: what they are for, and that the way back leads to the path that they
-/// came from.
+/// Moves by manifold walks: their paths, and the reverse walk to the original path.
 namespace ajar {
 namespace {
 
@@ -46,8 +45,8 @@ Shape "sphere" "float radius" [0.4]
 )");
 }
 
-/// How far from the axis the ray that leaves the lamp at this angle comes to the floor; negative
-/// beyond the axis.
+/// Distance from the axis at which the ray that leaves the lamp at this angle meets the floor;
+/// negative beyond the axis.
 double landing(double angle) {
   struct {
     double x, y;
@@ -82,7 +81,7 @@ double angle_of_fold() {
   return 0.5 * (low + high);
 }
 
-/// Of chains from the lamp through the ball to one place on the floor there are up to three.
+/// Up to three chains lead from the lamp through the ball to one place on the floor.
 enum class Branch : std::uint8_t { Inner, Outer, FromBeyondTheAxis };
 
 Branch branch_of(const InnerVertex& first, const Vec3& on_floor, double fold) {
@@ -259,7 +258,7 @@ Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer
 
 /// Fog is where vertices of paths can lie outside of all surfaces, from where rays of walks set off
 /// nearer: through the same fog.
-TEST(ManifoldWalk, KnowsTheMediumThatItComesFrom) {
+TEST(ManifoldWalk, StartsInItsMedium) {
   const auto scene = test::scene_from(test::pbrt_scene(
       "LookAt 0 1 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [40]", 8, 8, R"(
 MakeNamedMedium "fog" "string type" "homogeneous" "rgb sigma_s" [0.1 0.1 0.1]

@@ -22,8 +22,8 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// Paths that no connection makes, for chains to start from: joined by manifold connections, they
-/// bring as much light as those that run into the light by chance, in every part of the picture.
+/// Paths that no connection makes, as seeds of chains: joined by manifold connections, they have as
+/// much light as unidirectional hits, in every part of the picture.
 namespace ajar {
 namespace {
 
@@ -96,7 +96,7 @@ void PrintTo(const SeedsCase& c, std::ostream* out) { *out << c.name; }
 
 class ManifoldSeedsOf : public ::testing::TestWithParam<SeedsCase> {};
 
-/// What samples bring to each part of the picture, and, last, to all of it.
+/// Light of samples in each part of the picture, and, last, in all of it.
 class Tiles {
  public:
   explicit Tiles(const Scene& scene) : size_(scene.camera().resolution()) {}
@@ -148,7 +148,7 @@ void join_by_manifolds(const Scene& scene, std::uint32_t tries, Tiles& joined,
   }
 }
 
-TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
+TEST_P(ManifoldSeedsOf, AddTheLightMissedByUnidirectionalHits) {
   const auto scene = test::scene_from(GetParam().text);
   const SpecularPhotons photons(*scene);
   const PathBounds bounds = test::path_sample_bounds(*scene);
@@ -176,9 +176,9 @@ TEST_P(ManifoldSeedsOf, BringWhatRunningIntoTheLightLeaves) {
       << "too noisy to notice what it is for";
 }
 
-/// A seed counts for many guesses if its chain is hard to find. But where a ray may run into the
-/// lamp, it counts for no more than such a ray does.
-TEST(ManifoldSeeds, OutshineNoRayThatRunsIntoTheLamp) {
+/// A seed has a large weight if its chain is hard to find. But where a ray may run into the lamp,
+/// its weight is no more than that of such a ray.
+TEST(ManifoldSeeds, AreNoBrighterThanUnidirectionalHits) {
   const auto scene = test::scene_from(over_water(test::lamp_over_floor() + waves()));
   const SpecularPhotons photons(*scene);
   const PathBounds bounds = test::path_sample_bounds(*scene);
@@ -221,7 +221,7 @@ std::string small_sphere(const char* at, double radius, double intensity = 1.0) 
 
 class ManifoldSeedsOfPoints : public ::testing::TestWithParam<PointCase> {};
 
-TEST_P(ManifoldSeedsOfPoints, BringWhatSmallLampsBring) {
+TEST_P(ManifoldSeedsOfPoints, MatchSmallLamps) {
   const auto point = test::scene_from(over_water(GetParam().point + GetParam().world));
   const auto small = test::scene_from(over_water(GetParam().small + GetParam().world));
   Tiles a(*point);
@@ -238,7 +238,7 @@ TEST_P(ManifoldSeedsOfPoints, BringWhatSmallLampsBring) {
       << "too noisy to notice what it is for";
 }
 
-/// A chain of waves is found as often as it takes guesses to find it again: of each place on the
+/// The weight of a chain of waves is the number of guesses to find it again: of each place on the
 /// floor, all that come in one of fifty guesses.
 TEST(ManifoldConnection, CountsGuessesByTheChanceToFindAChain) {
   const auto scene = test::scene_from(over_water(test::lamp_over_floor() + waves()));
@@ -301,7 +301,7 @@ INSTANTIATE_TEST_SUITE_P(
                       SeedsCase{"LampByAMirror", lamp_by_a_mirror()}),
     [](const auto& scene_info) { return std::string(scene_info.param.name); });
 
-/// Lit by a mirror alone: what would come straight from the lamp is held up.
+/// Lit by a mirror alone: direct light of the lamp is blocked.
 std::string lit_by_a_mirror() {
   return R"(Material "mirror"
 Shape "trianglemesh" "point P" [1 -1 -2  1 3 -2  1 3 2  1 -1 2] "integer indices" [0 1 2 0 2 3]
@@ -335,7 +335,7 @@ INSTANTIATE_TEST_SUITE_P(
                       PointCase{"Distant", kDistantLamp, kFarLamp, kPoolFloor + kWater, 20000}),
     [](const auto& lamps) { return std::string(lamps.param.name); });
 
-/// Guesses from far away are much as those from infinity, though fewer photons tell where to.
+/// Guesses from far away are much as those from infinity, though fewer photons guide them.
 TEST(ManifoldConnection, FindsChainsFromAfarAsFromInfinity) {
   const auto finds = [](const std::string& lamp) {
     const auto scene = test::scene_from(over_water(lamp + kPoolFloor + waves()));
@@ -384,9 +384,9 @@ TEST(PointLampsThroughWater, AreNotForBidirectionalMutations) {
   }
 }
 
-/// What no technique makes is in the pictures of those that find it, beside what `bdpt` makes of
-/// the light of a sky, and where there is nothing else: of four edges, over a floor that is the
-/// only thing to scatter light.
+/// Light that no technique makes is in the pictures of those that find it, beside `bdpt`'s light of
+/// a sky, and where there is nothing else: of four edges, over a floor that is the only thing to
+/// scatter light.
 TEST(PointLampsThroughWater, AreInThePictures) {
   constexpr int kEdges = 4;
   const std::string pool = kPointLamp + kPoolFloor + kWater;

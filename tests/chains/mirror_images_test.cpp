@@ -56,7 +56,7 @@ std::optional<std::size_t> image_of(const Path& path) {
   return static_cast<std::size_t>(2 * bounces) - (path.vertex(1).p().x < 0.F ? 1U : 0U);
 }
 
-/// Of a place on the lamp.
+/// Mirror image of a place on the lamp.
 Vec3d image_of(const Vec3d& on_lamp, std::size_t image) {
   const std::size_t bounces = (image + 1) / 2;
   double mirror = image % 2 == 1 ? -1.0 : 1.0;
@@ -81,7 +81,7 @@ double irradiance(const Vec3d& p, std::size_t image) {
   return std::pow(kReflectance, static_cast<double>((image + 1) / 2)) * sum;
 }
 
-/// Of the light that comes from all images, over the picture.
+/// Shares of the light from all images, over the picture.
 std::vector<double> shares(const Scene& scene) {
   std::vector<double> light(kImages, 0.0);
   const Vec2i pixels = scene.camera().resolution();
@@ -117,7 +117,7 @@ class ImageCounter final : public DepositSink {
   }
   void deposit(std::span<const Splat> /*splats*/, double /*weight*/) override {}
   std::vector<double> visits = std::vector<double>(kImages, 0.0);
-  int changes = 0;  ///< of the image
+  int changes = 0;  ///< changes of the image
 
  private:
   const PathChain& chain_;

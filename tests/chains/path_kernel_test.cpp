@@ -15,7 +15,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// What a kernel of paths says of the steps that come to nothing.
+/// Records of a kernel of paths on steps without a proposal.
 namespace ajar {
 namespace {
 
@@ -24,7 +24,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 std::int32_t same_layer(int /*depth*/) { return 0; }
 
-/// What a mutation of these tests says of itself.
+/// Claims of a mutation of these tests.
 struct Claims {
   bool suits_old = true;
   bool suits_new = true;
@@ -32,7 +32,7 @@ struct Claims {
   double log_back = 0.0;
 };
 
-/// Proposes one path whatever the current one is.
+/// Proposes one path from any current one.
 class OnePathMutation final : public PathMutation {
  public:
   OnePathMutation(Path path, const Claims& claims) : path_(std::move(path)), claims_(claims) {}
@@ -58,7 +58,7 @@ class OnePathMutation final : public PathMutation {
   RayCounts rays_;
 };
 
-/// Says what it is told of the light on new paths.
+/// Records the light on new paths that it receives.
 class ToldWeight final : public PathWeight {
  public:
   double part(const Path& /*path*/, double /*log_light*/) override {
@@ -117,7 +117,7 @@ class PathKernelStep : public ::testing::Test {
   std::vector<Path> found_;
 };
 
-TEST_F(PathKernelStep, GoesToAPathThatIsAsLikelyBothWays) {
+TEST_F(PathKernelStep, AcceptsSymmetricProposals) {
   const Result result = step({});
   EXPECT_GT(result.probability, 0.0);
   EXPECT_EQ(result.statistics.idle_steps(), 0U);
@@ -126,7 +126,7 @@ TEST_F(PathKernelStep, GoesToAPathThatIsAsLikelyBothWays) {
   EXPECT_EQ(result.statistics.moves[0].without_density, 0U);
 }
 
-TEST_F(PathKernelStep, WithoutASuitableMutationIsOneOfNone) {
+TEST_F(PathKernelStep, WithoutASuitableMutationIsIdle) {
   Claims claims;
   claims.suits_old = false;
   const Result result = step(claims);
@@ -145,7 +145,7 @@ TEST_F(PathKernelStep, ToALitPathThatDoesNotSuitIsNotDark) {
   EXPECT_EQ(result.statistics.zero, 0U);
 }
 
-TEST_F(PathKernelStep, WithoutAWayBackIsRefusedAndNoMistake) {
+TEST_F(PathKernelStep, WithoutAReverseIsRejectedAndNoError) {
   Claims claims;
   claims.log_back = kNever;
   const Result result = step(claims);
@@ -153,7 +153,7 @@ TEST_F(PathKernelStep, WithoutAWayBackIsRefusedAndNoMistake) {
   EXPECT_EQ(result.statistics.moves[0].without_density, 0U);
 }
 
-TEST_F(PathKernelStep, WhoseDensityIsNoneIsRefusedAndCounted) {
+TEST_F(PathKernelStep, OfNanDensityIsRejectedAndCounted) {
   for (const auto& [forth, back] :
        {std::pair(kNever, 0.0), std::pair(kEndless, 0.0), std::pair(kNoNumber, 0.0),
         std::pair(0.0, kEndless), std::pair(0.0, kNoNumber), std::pair(kNoNumber, kNever)}) {
@@ -167,7 +167,7 @@ TEST_F(PathKernelStep, WhoseDensityIsNoneIsRefusedAndCounted) {
   }
 }
 
-TEST_F(PathKernelStep, ToLightThatIsNoNumberIsRefusedAndCounted) {
+TEST_F(PathKernelStep, ToNanLightIsRejectedAndCounted) {
   const Result not_a_number = step({}, kNoNumber);
   EXPECT_EQ(not_a_number.probability, 0.0);
   EXPECT_EQ(not_a_number.statistics.discarded_nan, 1U);
@@ -181,7 +181,7 @@ TEST_F(PathKernelStep, ToLightThatIsNoNumberIsRefusedAndCounted) {
   EXPECT_EQ(dark.statistics.moves[0].dark, 1U);
 }
 
-TEST(MoveRecord, AddsWhatItCounts) {
+TEST(MoveRecord, IsSummable) {
   MoveRecord record;
   const std::array<Candidate, 1> candidates{};
   Proposal proposal{0, candidates};

@@ -21,8 +21,8 @@
 #include "support/path_scenes.h"
 #include "support/render.h"
 
-/// Mutations of paths: each by itself leaves the distribution of light as it
-/// is, region by region, and its densities are those of what it does.
+/// Mutations of paths: each by itself leaves the distribution of light as it is, region by region,
+/// and follows its densities.
 namespace ajar {
 namespace {
 
@@ -40,9 +40,8 @@ std::int32_t one_layer(int /*depth*/) { return 0; }
 
 constexpr std::size_t kRegions = 3 * 2 * kMaxDepth * 3 * 2;
 
-/// By the place on the film, the length, what the camera sees (a specular
-/// vertex, another, or the light), and whether light falls steeply on the first
-/// vertex.
+/// By the place on the film, the length, the first hit (a specular vertex, another, or the light),
+/// and whether light falls steeply on the first vertex.
 std::size_t region_of(const Scene& scene, const Path& path) {
   const Vec2 place = path.raster / Vec2(scene.camera().resolution());
   const auto column = static_cast<std::size_t>(std::clamp(place.x * 3.F, 0.F, 2.F));
@@ -55,8 +54,8 @@ std::size_t region_of(const Scene& scene, const Path& path) {
   return (place_and_depth * 3 + seen) * 2 + (steep ? 1 : 0);
 }
 
-/// What one step makes of the share of light in each region: nothing on
-/// average, if the step keeps the distribution.
+/// Change of the light in each region by one step: zero on average, if the step keeps the
+/// distribution.
 struct Flow {
   std::array<Moments, kRegions> gain;
   double moved = 0.0;  ///< share of all light that leaves its region
@@ -107,8 +106,8 @@ double power_of_flow(const std::string& scene) {
   return scene == "Grazing" ? 0.2 : 0.06;
 }
 
-/// Share of all light that must leave its region in a step: what can be noticed
-/// is a density that is wrong for some of that.
+/// Share of all light that must leave its region in a step: the power to find densities that are
+/// wrong for some of that.
 double least_flow(const std::string& mutation, const std::string& scene) {
   if (mutation == "manifold") {
     // Elsewhere chains at the light are few.
@@ -133,14 +132,13 @@ bool is_for_walks(const std::string& scene) {
 
 class KeepsTheDistribution : public ::testing::TestWithParam<const char*> {};
 
-/// It holds with 100 000 samples, too, and 400 000 of the pool. There,
-/// densities without the spread of specular vertices or the factor of one edge
-/// fail with 60 000.
+/// Holds with 100 000 samples, too, and 400 000 of the pool. There, densities without the spread of
+/// specular vertices or the factor of one edge fail with 60 000.
 TEST_P(KeepsTheDistribution, OfLightRegionByRegion) {
   const auto scene = test::scene_from(test::path_scene(GetParam()));
   const std::string_view scene_name = GetParam();
   std::uint32_t samples = 4000;
-  // Few samples of these bring any light that moves.
+  // Few samples of these have any light that moves.
   for (const char* name :
        {"Lenses", "BurningGlass", "BurningGlassInTheSun", "BurningGlassOrthographic",
         "BurningGlassByALens", "BurningGlassInFog", "BurningGlassUnderASky", "Gloss",
@@ -200,9 +198,8 @@ const Square kMoreOfFloor{Vec3(0.F, 0.F, 0.5F), 0.7F};
 const Square kLessOfFloor{Vec3(0.25F, 0.F, 0.3F), 0.08F};
 constexpr double kLamp = 0.8 * 0.8;
 
-/// What the changes of one kind come to, by what is kept and where the new
-/// vertices are: the mean over proposals of 1/T is the size of the region that
-/// they are in, if T is their density.
+/// Sum over changes of one kind, by kept vertices and regions of the new ones: the mean over
+/// proposals of 1/T is the size of the region, if T is their density.
 struct Region {
   const char* mutation;
   Kept kept;
@@ -228,7 +225,7 @@ Path direct_path(const Scene& scene) {
   return *found;
 }
 
-TEST(PathMutations, HaveTheDensityThatTheySay) {
+TEST(PathMutations, FollowTheirDensity) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
   const PathBounds bounds = bounds_of(*scene);
   const Path x = direct_path(*scene);
@@ -283,7 +280,7 @@ TEST(PathMutations, MakeWholePathsAsTheTechniquesDo) {
     const PathBounds bounds = bounds_of(*scene);
     const auto mutation = path_mutations()[0].make(*scene, bounds);
     ASSERT_EQ(mutation->name(), "bidirectional");
-    // How often lengths are chosen: by that of the old and the new path.
+    // Probabilities of lengths, by that of the old and the new path.
     std::map<std::pair<int, int>, double> choices;
     int checked = 0;
     Path y;
@@ -313,9 +310,8 @@ TEST(PathMutations, MakeWholePathsAsTheTechniquesDo) {
   }
 }
 
-/// What mutations make of a path has open edges and the vertices that are kept,
-/// and the way back is known.
-TEST(PathMutations, KeepVerticesAndKnowTheWayBack) {
+/// Proposals of mutations have open edges and the kept vertices, and the reverse move is known.
+TEST(PathMutations, KeepVerticesAndAreReversible) {
   for (const char* name :
        {"GlassAndMetal", "NestedDielectrics", "Orthographic", "Distant", "Fog"}) {
     const auto scene = test::scene_from(test::small_scene(name).text);

@@ -98,7 +98,7 @@ TEST_P(HalfReuse, GivesTheBitsOfATargetThatTracesEverything) {
     target.accepted();
     source.start(replay.uses_raster(), 1.F);
   }
-  // Half moves mostly, since they are what is to be tested, in any order and with any outcome.
+  // Half moves mostly, as they are the subject, in any order and with any outcome.
   const StepProbabilities probabilities{
       .large = 0.1, .camera_half = 0.45, .light_half = 0.45, .raster = 0.3};
   std::uint64_t fewer_rays = 0;

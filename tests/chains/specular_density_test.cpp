@@ -15,8 +15,7 @@
 #include "support/path_samples.h"
 #include "support/render.h"
 
-/// What moves with a specular chain does so as densely as it says, where the chain has a closed
-/// form.
+/// Densities of moves with a specular chain, where the chain has a closed form.
 namespace ajar {
 namespace {
 
@@ -28,8 +27,8 @@ struct Corner {
 };
 
 /// Densities leave out the delta of a specular vertex, and have |cos θ| / d² of both its edges.
-/// What these are over the density by the area of the vertex beyond, across the ray: of a plane
-/// mirror in z, whose images are as far as the way is long.
+/// Their ratio to the density by the area of the vertex beyond, across the ray: of a plane mirror
+/// in z, whose images are as far as the way is long.
 double in_a_mirror(const Corner& c) {
   const double way = c.length_before() + c.length_after();
   const double cosine = std::abs((c.before - c.at).z) / c.length_before();
@@ -37,8 +36,8 @@ double in_a_mirror(const Corner& c) {
 }
 
 constexpr double kWaterIndex = 1.33;
-/// Of a level surface of water, seen from below: by the radius r(θ) at which the ray of an angle
-/// comes out above, dω / dA = sin θ dθ / (r dr cos θ′).
+/// A level surface of water, seen from below: by the radius r(θ) at which the ray of an angle comes
+/// out above, dω / dA = sin θ dθ / (r dr cos θ′).
 double out_of_water(const Corner& c) {
   const double depth = (c.at - c.before).y;
   const double height = (c.after - c.at).y;
@@ -63,7 +62,7 @@ struct SpecularCase {
   const char* name;
   const char* mutation;
   std::string text;
-  std::vector<bool> specular;  ///< which vertices of the path are, from the light
+  std::vector<bool> specular;  ///< specular vertices of the path, from the light
   std::vector<Disc> discs;     ///< where vertices are in
   double (*edges_over_density)(const Corner& corner);
   std::uint64_t proposals = 200000;

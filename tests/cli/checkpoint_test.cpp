@@ -1,4 +1,4 @@
-// Renders that are never lost, as a user meets them.
+// Checkpoints and resuming, from the command line.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -50,18 +50,17 @@ TEST_F(CheckpointCli, ResumedRenderHasTheBitsOfOneLeftAlone) {
   EXPECT_TRUE(bytes("b.pfm") == bytes("alone.pfm"));
 }
 
-// A checkpoint must tell what the user has set from what follows from it.
+// A checkpoint must distinguish the user's settings from derived ones.
 TEST_F(CheckpointCli, ResumedRenderHasTheSettingsOfTheOneBefore) {
-  const std::vector<std::vector<std::string>> settings = {
-      {"selective", "preset=published"},
-      {"selective", "preset=lambertian-out", "omc=lt"},
-      {"selective", "mutation=kelemen"},
-      {"selective", "step=adaptive"},
-      {"selective", "chain=pssmlt", "omc=lt"},
-      {"mmlt+", "mutation=fusion"},
-      {"pssmlt+", "mutation=kelemen"},
-      {"mlt", "manifold=0.5"},
-      {"erpt", "chain=pssmlt"}};
+  const std::vector<std::vector<std::string>> settings = {{"masked", "pilot=keep"},
+                                                          {"masked", "lambertian=omc", "omc=lt"},
+                                                          {"masked", "chain=pssmlt", "omc=lt"},
+                                                          {"selective", "chain=mlt"},
+                                                          {"mmlt", "step=adaptive"},
+                                                          {"mmlt", "mutation=fusion"},
+                                                          {"pssmlt", "mutation=gaussian"},
+                                                          {"mlt", "manifold=0.5"},
+                                                          {"erpt", "chain=pssmlt"}};
   for (const std::vector<std::string>& setting : settings) {
     std::vector<std::string> arguments{"--integrator", setting.front()};
     for (std::size_t i = 1; i < setting.size(); ++i) {
@@ -78,8 +77,9 @@ TEST_F(CheckpointCli, ResumedRenderHasTheSettingsOfTheOneBefore) {
     const Outcome resumed = run({"resume", "c", "--spp", "32", "--stats", "stats.json"});
     ASSERT_EQ(resumed.exit_code, 0) << what << ": " << resumed.err;
     EXPECT_TRUE(bytes("a.pfm") == bytes("alone.pfm")) << what;
-    if (setting[1] == "preset=published") {
-      EXPECT_EQ(statistics().at("parameters").at("map"), "binary") << "what holds is told";
+    if (setting[1] == "pilot=keep") {
+      EXPECT_EQ(statistics().at("parameters").at("pilot"), "keep");
+      EXPECT_EQ(statistics().at("parameters").at("omc"), "ibpt") << "defaults are told";
     }
   }
 }
@@ -92,7 +92,7 @@ TEST_F(CheckpointCli, FinishedRenderIsShownAgainWithoutRendering) {
   EXPECT_EQ(bytes("c"), before);
 }
 
-TEST_F(CheckpointCli, RenderGoesOnFromItsCheckpointIfThereIsOne) {
+TEST_F(CheckpointCli, RenderResumesFromItsCheckpoint) {
   ASSERT_EQ(render({"--spp", "24", "-o", "alone.pfm"}).exit_code, 0);
   const auto begin_or_go_on = [&](const char* spp, const char* output) {
     return render({"--spp", spp, "-o", output, "--checkpoint", "c", "--resume", "c"});
@@ -106,7 +106,7 @@ TEST_F(CheckpointCli, RenderGoesOnFromItsCheckpointIfThereIsOne) {
   EXPECT_TRUE(contains(other.err, "seed 0, not seed 3")) << other.err;
 }
 
-TEST_F(CheckpointCli, WhatIsNoUsableCheckpointIsRefused) {
+TEST_F(CheckpointCli, UnusableCheckpointsAreRefused) {
   EXPECT_EQ(run({"resume", "absent"}).exit_code, 4);
   file("text", "no checkpoint, but longer than the header of one, so that there is some to read");
   EXPECT_EQ(run({"resume", "text"}).exit_code, 4);
@@ -139,7 +139,7 @@ TEST_F(CheckpointCli, WhatIsNoUsableCheckpointIsRefused) {
   }
 }
 
-TEST_F(CheckpointCli, WhatAStrangerHasMadeOfOneIsRefused) {
+TEST_F(CheckpointCli, CorruptCheckpointsAreRefused) {
   ASSERT_EQ(render({"--spp", "4", "--checkpoint", "c", "-o", "a.pfm"}).exit_code, 0);
   const std::string good = bytes("c");
   const auto expect_refused = [&](std::size_t place, std::string_view value) {
@@ -189,7 +189,7 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
   // The second of them in the middle of a pass, of ordinary Monte Carlo and of chains.
   for (const auto& [count, integrator, setting] :
        {std::tuple(1, "pt", "heuristic=power"), std::tuple(2, "pt", "heuristic=power"),
-        std::tuple(2, "mmlt+", "bootstrap=10000")}) {
+        std::tuple(2, "mmlt", "bootstrap=10000")}) {
     const pid_t child = start_endless(
         {"--checkpoint", "c", "--integrator", integrator, "--set", setting}, "160x100");
     for (int i = 0; i < count; ++i) kill(child, i == 0 ? SIGINT : SIGTERM);
@@ -215,11 +215,11 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
   }
 }
 
-/// What is interrupted before its chains are prepared is shown, but never gone on with: it is not
-/// the render that was asked for.
+/// Renders interrupted before their chains are prepared are shown, but cannot be resumed: they are
+/// not the requested render.
 TEST_F(CheckpointCli, AnInterruptedPreparationLeavesAPictureAndNoCheckpoint) {
   const std::vector<std::string> arguments = {"render",       "builtin:cornell",
-                                              "--integrator", "mmlt+",
+                                              "--integrator", "selective",
                                               "--resolution", "640x400",
                                               "--spp",        "1000",
                                               "--threads",    "1",
@@ -241,7 +241,7 @@ TEST_F(CheckpointCli, AnInterruptedPreparationLeavesAPictureAndNoCheckpoint) {
   EXPECT_FALSE(fs::exists(folder_ / "c"));
 }
 
-TEST_F(CheckpointCli, TwoSignalsWhilePreparingAreAnsweredInWords) {
+TEST_F(CheckpointCli, TwoSignalsWhilePreparingHaveMessages) {
   const pid_t child = start({"render", "builtin:cornell", "--integrator", "selective",
                              "--resolution", "640x400", "--spp", "1000", "--threads", "1",
                              "--progress", "json", "-o", "a.exr", "--checkpoint", "c"});
@@ -376,7 +376,7 @@ TEST_F(CheckpointCli, FullDiskLeavesThePreviousCheckpoint) {
 }
 
 TEST_F(CheckpointCli, FullDiskIsReportedAndTheRenderGoesOn) {
-  // What is written there fails as on a full disk.
+  // Writing there fails as on a full disk.
   fs::create_symlink("/dev/full", folder_ / "b.pfm");
   const pid_t child = start_endless({"-o", "b.pfm", "--output-every", "0.1s"});
   EXPECT_TRUE(wait_for(folder_ / ".stderr", "the picture will be tried again, the render goes on"));
@@ -396,7 +396,7 @@ TEST_F(CheckpointCli, PreviewShowsThePictureInAViewer) {
   ASSERT_EQ(render({"--spp", "16", "-o", "b.pfm"}).exit_code, 0);
   EXPECT_EQ(bytes("a.pfm"), bytes("b.pfm"));
   EXPECT_EQ(viewer.fault(), "");
-  // The connection may be younger than the render, which then has nobody to show its picture to.
+  // The connection may be younger than the render, which then has no viewer for its picture.
   const pid_t child = start_endless({"--preview", where, "--aov", "albedo"});
   EXPECT_TRUE(wait_until([&] { return viewer.picture("ajar: cornell").updates > 0; }));
   kill(child, SIGINT);

@@ -15,7 +15,7 @@
 
 #include "core/testing/wait_until.h"
 
-/// What tests of the program as a user runs it share.
+/// Fixture of tests of the program.
 namespace ajar {
 
 namespace fs = std::filesystem;
@@ -57,7 +57,7 @@ class Cli : public ::testing::Test {
       dup2(open(path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), target);
     };
     if (chdir(folder_.c_str()) != 0) _exit(99);
-    // Whoever runs the tests may ignore them, with nohup or in the background of a script.
+    // Parents may ignore them, with nohup or in the background of a script.
     for (const int signal : {SIGHUP, SIGINT}) ::signal(signal, SIG_DFL);
     redirect(".stdout", STDOUT_FILENO);
     redirect(".stderr", STDERR_FILENO);

@@ -30,7 +30,7 @@ class CompareCli : public Cli {
   }
 };
 
-TEST_F(CompareCli, PrintsATableAndWhatItMeans) {
+TEST_F(CompareCli, PrintsATableAndItsLegend) {
   const Outcome outcome = run({"compare", "reference.exr", "brighter.exr", "reference.exr"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* part : {"brighter.exr", "relmse-trimmed", "67.02 pixels per degree", "exposures",
@@ -50,7 +50,7 @@ TEST_F(CompareCli, PrintsATableAndWhatItMeans) {
   EXPECT_EQ(columns, std::vector<std::size_t>(3, columns.at(0))) << "columns are aligned";
 }
 
-TEST_F(CompareCli, MeasuresWhatItSays) {
+TEST_F(CompareCli, ComputesItsMetrics) {
   const Outcome outcome = run({"compare", "reference.exr", "brighter.exr", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json result = json::parse(outcome.out);
@@ -67,7 +67,7 @@ TEST_F(CompareCli, MeasuresWhatItSays) {
   EXPECT_EQ(result.at("resolution"), (json{16, 12}));
 }
 
-TEST_F(CompareCli, TakesTheMetricsThatAreNamed) {
+TEST_F(CompareCli, ComputesTheNamedMetrics) {
   const Outcome outcome =
       run({"compare", "reference.exr", "brighter.exr", "--metrics", "flip,mse", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -111,7 +111,7 @@ TEST_F(CompareCli, RefusesPicturesThatDoNotFit) {
   EXPECT_EQ(run({"compare", "reference.exr", "brighter.exr", "--ppd", "0"}).exit_code, 2);
 }
 
-TEST_F(CompareCli, SaysWhatCannotBeRead) {
+TEST_F(CompareCli, ReportsUnreadableFiles) {
   EXPECT_EQ(run({"compare", "absent.exr", "brighter.exr"}).exit_code, 4);
   EXPECT_EQ(run({"compare", "reference.exr", "absent.exr"}).exit_code, 4);
   file("text.exr", "no picture");
@@ -167,7 +167,7 @@ TEST_F(CompareCli, WritesAReport) {
   EXPECT_FALSE(contains(read_text(file("report/data/report.js")), "albedo"));
 }
 
-TEST_F(CompareCli, SaysWhereAReportCannotBeWritten) {
+TEST_F(CompareCli, ReportsUnwritableReports) {
   const auto compare_to = [&](const std::string& folder) {
     return run({"compare", "reference.exr", "brighter.exr", "--report", folder});
   };

@@ -73,7 +73,7 @@ TEST_F(Definitions, AreForInfoAndConvertToo) {
             json({7, 8}));
 }
 
-TEST_F(Definitions, ThatTheSceneDoesNotKnowAreErrors) {
+TEST_F(Definitions, UnknownOnesAreErrors) {
   const Outcome missing = render_glow({});
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_TRUE(contains(missing.err, "unknown parameter \"width\"")) << missing.err;

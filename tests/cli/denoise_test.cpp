@@ -13,7 +13,7 @@ namespace {
 
 class DenoiseCli : public Cli {
  protected:
-  /// Of 32×24 pixels, with these arguments beside.
+  /// Renders 32×24 pixels, with these arguments beside.
   Outcome cornell(const std::vector<std::string>& more) const {
     std::vector<std::string> arguments = {"render", "builtin:cornell", "--resolution",
                                           "32x24",  "--progress",      "none"};
@@ -26,7 +26,7 @@ class DenoiseCli : public Cli {
   Image image(const std::string& name) const { return read_image(file(name).string()); }
 };
 
-TEST_F(DenoiseCli, FiltersWhatTheEyeSeesAndKeepsWhatWasRendered) {
+TEST_F(DenoiseCli, FiltersTheDisplayedPictureAndKeepsTheRawOne) {
   ASSERT_EQ(cornell({"-o", "a.exr", "-o", "a.png", "--stats", "a.json"}).exit_code, 0);
   ASSERT_EQ(cornell({"--denoise", "none", "-o", "b.exr", "-o", "b.png"}).exit_code, 0);
   const Image a = image("a.exr");
@@ -60,7 +60,7 @@ TEST_F(DenoiseCli, RendersUntilTheDenoisedPictureIsGood) {
 }
 
 /// Errors of the unfiltered picture, which a checkpoint keeps, say nothing of the filtered one.
-TEST_F(DenoiseCli, LooksAnewWhereAnotherErrorIsAskedFor) {
+TEST_F(DenoiseCli, ChecksAgainForAnotherTargetError) {
   ASSERT_EQ(cornell({"--integrator", "pt", "--denoise", "builtin", "--spp", "100000",
                      "--target-error", "30%", "--checkpoint", "a.checkpoint", "-o", "a.exr"})
                 .exit_code,
@@ -85,19 +85,19 @@ TEST_F(DenoiseCli, FiltersPicturesOfEarlierRenders) {
   EXPECT_EQ(a.rgb("replicates.3"), b.rgb("replicates.3"));
   EXPECT_FALSE(b.rgb("denoised").empty());
   EXPECT_FALSE(b.rgb("denoised-error").empty());
-  // Once more: from what the file has now.
+  // Once more: from the current content of the file.
   ASSERT_EQ(run({"denoise", "b.exr", "-o", "c.exr"}).exit_code, 0);
   EXPECT_EQ(image("c.exr").rgb("denoised"), b.rgb("denoised"));
 }
 
-TEST_F(DenoiseCli, SaysWhatItDoesNotKnow) {
+TEST_F(DenoiseCli, ReportsUnknownNames) {
   ASSERT_EQ(cornell({"--denoise", "none", "-o", "a.exr"}).exit_code, 0);
   const Outcome outcome = run({"denoise", "a.exr", "-o", "b.png"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.err.find("does not know the surfaces"), std::string::npos) << outcome.err;
 }
 
-TEST_F(DenoiseCli, RefusesWhatMakesNoSense) {
+TEST_F(DenoiseCli, RefusesContradictoryOptions) {
   ASSERT_EQ(cornell({"-o", "a.exr", "-o", "a.png"}).exit_code, 0);
   struct Case {
     std::vector<std::string> arguments;
@@ -140,7 +140,7 @@ TEST_F(DenoiseCli, AsksForMemoryBeforeItIsTaken) {
   }
 }
 
-TEST_F(DenoiseCli, GoesOnAsBeforeAndMerges) {
+TEST_F(DenoiseCli, SurvivesResumingAndMerging) {
   for (const char* seed : {"1", "2"}) {
     ASSERT_EQ(cornell({"--seed", seed, "--checkpoint", std::string(seed) + ".checkpoint", "-o",
                        std::string(seed) + ".exr"})

@@ -7,8 +7,8 @@
 #include "cli/cli_fixture.h"
 #include "post/testing/loaded_library.h"
 
-/// Whatever lies where Open Image Denoise is looked for, the render goes on, and is told why it is
-/// not used.
+/// Any file in place of Open Image Denoise leaves the render running, with a message why it is not
+/// used.
 namespace ajar {
 namespace {
 
@@ -35,7 +35,7 @@ class DenoisingLibrary : public Cli {
   }
 };
 
-TEST_F(DenoisingLibrary, IsPassedOverIfItIsNone) {
+TEST_F(DenoisingLibrary, IsSkippedIfItIsNoLibrary) {
   ASSERT_EQ(mkfifo(file("pipe.so").c_str(), 0600), 0);
   expect_passed_over(file("pipe.so"), "it is a named pipe");
   std::ofstream(file("empty.so")).close();
@@ -49,7 +49,7 @@ TEST_F(DenoisingLibrary, IsPassedOverIfItIsNone) {
   expect_passed_over(file("folder"), "it is a folder");
 }
 
-TEST_F(DenoisingLibrary, IsPassedOverIfAPartOfItIsCut) {
+TEST_F(DenoisingLibrary, IsSkippedIfAPartIsTruncated) {
   const fs::path library = testing::loaded_library();
   if (library.empty()) GTEST_SKIP() << "no library to cut";
   expect_passed_over(library, "has not the functions of version 2");

@@ -18,7 +18,7 @@ class ExposureCli : public Cli {
   }
 };
 
-TEST_F(ExposureCli, AWhitePictureIsToldAndWhatToTry) {
+TEST_F(ExposureCli, AWhitePictureIsAWarningWithARemedy) {
   const Outcome white = render_to("a.png", {"--exposure", "8", "--checkpoint", "c"});
   EXPECT_TRUE(contains(white.err, " % of the picture is white: try --exposure ")) << white.err;
   const Outcome merged = run({"merge", "c", "--exposure", "8", "-o", "b.jpg"});
@@ -32,7 +32,7 @@ TEST_F(ExposureCli, AWhitePictureIsToldAndWhatToTry) {
   }
 }
 
-TEST_F(ExposureCli, AutoIsSaidKeptAndTheSameAsTheNumber) {
+TEST_F(ExposureCli, AutoIsReportedStoredAndEqualToTheNumber) {
   const Outcome automatic =
       render_to("a.png", {"--exposure", "auto", "--stats", "stats.json", "--checkpoint", "c"});
   ASSERT_EQ(automatic.exit_code, 0) << automatic.err;

@@ -4,13 +4,13 @@
 namespace ajar {
 namespace {
 
-/// Scenes with coordinates that rays cannot have. Whatever they are rendered with, the program ends
-/// with a finite picture, or with 3 and the place of what is too far away.
+/// Scenes with coordinates that rays cannot have. With any method, the program ends with a finite
+/// picture, or with 3 and the place of the distant part.
 struct FarScene {
   std::string name;
-  int line = 0;  ///< of what is at fault; 0: it renders
+  int line = 0;  ///< line of the fault; 0: it renders
   std::string text;
-  bool loses_rays = false;  ///< that start where they cannot be traced
+  bool loses_rays = false;  ///< rays start where they cannot be traced
 };
 
 struct Parts {

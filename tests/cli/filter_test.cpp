@@ -1,4 +1,4 @@
-// A filter of the user's own, and what it has to do with the rest.
+// A filter of the user's own, and its interaction with other options.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -45,7 +45,7 @@ TEST_F(Cli, FilterStaysWithTheCheckpoint) {
   EXPECT_TRUE(contains(other.err, "filter mitchell:1.5, not filter box")) << other.err;
 }
 
-TEST_F(Cli, FilterThatCannotBeIsRefused) {
+TEST_F(Cli, InvalidFilterIsRefused) {
   const Outcome outcome = render({"--filter", "gausian"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(contains(outcome.err, "did you mean \"gaussian\"")) << outcome.err;

@@ -49,9 +49,9 @@ TEST_F(HostileInput, PipesAndDevicesAreRefusedEverywhere) {
   for (const std::string& name : {picture, float_map}) {
     expect_refused(run_limited({"compare", name, "ok.pfm"}), 4, pipe_text);
     expect_refused(run_limited({"compare", "ok.pfm", name}), 4, pipe_text);
-    expect_refused(run_limited({"render", "builtin:cornell", "--integrator", "mmlt+", "--spp", "1",
-                                "--set", "importance=" + name}),
-                   4, pipe_text);
+    expect_refused(
+        run_limited({"render", "builtin:cornell", "--spp", "1", "--set", "importance=" + name}), 4,
+        pipe_text);
     expect_refused(
         run_limited({"render", "builtin:cornell", "--spp", "1", "--set", "regions=" + name}), 4,
         pipe_text);
@@ -145,7 +145,7 @@ TEST_F(HostileInput, NestedMixesTakeNoLongerThanTheirFile) {
   EXPECT_EQ(run_limited({"convert", "scene.pbrt", "b.pbrt"}).exit_code, 0);
 }
 
-TEST_F(HostileInput, WhatIsWrongWithAFilterHasAPlaceWithoutAFilm) {
+TEST_F(HostileInput, FilterErrorsAreLocatedWithoutAFilm) {
   file("scene.pbrt",
        "PixelFilter \"gaussian\" \"float alpha\" -1\nCamera \"perspective\"\nWorldBegin\n"
        "Shape \"sphere\"\nWorldEnd\n");
@@ -157,7 +157,7 @@ TEST_F(HostileInput, LightThatUnderflowsIsRenderedByEveryMethod) {
         "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [1e-38 1e-38 1e-38]\n"
         "Translate 0 2 0\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd");
   for (const char* method :
-       {"pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "mlt", "erpt", "mmlt+", "selective"}) {
+       {"pt", "lt", "ibpt", "bdpt", "pssmlt", "mmlt", "mlt", "erpt", "masked", "selective"}) {
     const Outcome outcome = render_scene({"--integrator", method});
     EXPECT_EQ(outcome.exit_code, 0) << method << ": " << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "so dim that floats lose its digits"))

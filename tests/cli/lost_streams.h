@@ -9,7 +9,7 @@
 
 namespace ajar {
 
-/// What may have become of a stream, and what makes it so in a process that is about to be started;
+/// States of a stream, and the function that sets each in a process that is about to be started;
 /// "full" comes first.
 inline std::vector<std::pair<std::string, std::function<void()>>> lost_streams(int descriptor) {
   const auto become = [descriptor](int file) {

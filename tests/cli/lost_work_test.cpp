@@ -45,12 +45,12 @@ TEST_F(LostWorkCli, ANewRenderDoesNotReplaceACheckpoint) {
   EXPECT_EQ(render({"--spp", "16", "--checkpoint", "c", "--resume", "c"}).exit_code, 0);
   ASSERT_EQ(render({"--spp", "4", "--checkpoint", "d"}).exit_code, 0);
   EXPECT_EQ(run({"resume", "d", "--spp", "8", "--checkpoint", "c"}).exit_code, 2);
-  // What mktemp leaves is no checkpoint yet.
+  // Empty files, as of mktemp, are no checkpoints yet.
   std::ofstream(file("e")).flush();
   EXPECT_EQ(render({"--spp", "4", "--checkpoint", "e"}).exit_code, 0);
 }
 
-TEST_F(LostWorkCli, NothingIsWrittenOverWhatIsRead) {
+TEST_F(LostWorkCli, InputsAreNotOverwritten) {
   write_scene();
   fs::create_symlink("scene.pbrt", folder_ / "link.png");
   fs::create_hard_link(folder_ / "wood.pfm", folder_ / "hard.pfm");
@@ -74,7 +74,7 @@ TEST_F(LostWorkCli, NothingIsWrittenOverWhatIsRead) {
   EXPECT_EQ(run({"convert", "scene.pbrt", "scene.pbrt"}).exit_code, 2);
 }
 
-TEST_F(LostWorkCli, AMergeSparesItsParts) {
+TEST_F(LostWorkCli, AMergeKeepsItsParts) {
   ASSERT_EQ(render({"--seed", "1", "--checkpoint", "c1", "-o", "a.pfm"}).exit_code, 0);
   ASSERT_EQ(render({"--seed", "2", "--checkpoint", "c2", "-o", "a.pfm"}).exit_code, 0);
   const std::string before = bytes("c2");
@@ -99,7 +99,7 @@ TEST_F(LostWorkCli, OneCheckpointIsOfOneRender) {
   EXPECT_TRUE(contains(second.err, "another render keeps its checkpoint there")) << second.err;
   kill(first, SIGINT);
   EXPECT_EQ(finish(first).exit_code, 130);
-  // After a hard end nobody is held up.
+  // After a hard end the lock is free.
   const pid_t third = start({"resume", "c", "--time", "1h", "--progress", "json"});
   ASSERT_TRUE(wait_for(folder_ / ".stderr", "\"progress\",\"phase\":\"render\""));
   EXPECT_EQ(run({"resume", "c"}).exit_code, 4);
@@ -129,7 +129,7 @@ class FullDisksCli : public LostWorkCli {
   }
 };
 
-TEST_F(FullDisksCli, ARenderWaitsForRoomAndThenWritesAll) {
+TEST_F(FullDisksCli, ARenderWaitsForSpaceAndThenWritesAll) {
   const pid_t child = start_without_room();
   EXPECT_FALSE(fs::exists(folder_ / "a.pfm"));
   limit(child, RLIM_INFINITY);

@@ -21,7 +21,7 @@ class MpiCli : public Cli {
     std::vector<std::string> all{"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
                                  "OMPI_MCA_rmaps_base_oversubscribe=1",
                                  // Open MPI frees little, and its plug-ins are gone by then, so
-                                 // that no list of what is known to leak can name them.
+                                 // that no list of known leaks can name them.
                                  "ASAN_OPTIONS=detect_leaks=0:strict_string_checks=1", AJAR_MPIRUN,
                                  "-n", std::to_string(count), AJAR_PROGRAM};
     all.insert(all.end(), arguments.begin(), arguments.end());
@@ -33,7 +33,7 @@ class MpiCli : public Cli {
 #endif
 };
 
-TEST_F(MpiCli, TheProgramItselfHasNothingOfMpi) {
+TEST_F(MpiCli, ProgramDoesNotLinkMpi) {
   for (const char* file : {AJAR_PROGRAM, AJAR_LIBRARY}) {
     const std::string bytes = read_text(file);
     ASSERT_GT(bytes.size(), 1000U) << file;
@@ -42,7 +42,7 @@ TEST_F(MpiCli, TheProgramItselfHasNothingOfMpi) {
   }
 }
 
-TEST_F(MpiCli, WithoutItsOtherHalfTheProgramRefusesToBeARank) {
+TEST_F(MpiCli, WithoutItsMpiModuleTheProgramRefusesToBeARank) {
   fs::copy_file(AJAR_PROGRAM, folder_ / "ajar");
   const std::string copy = (folder_ / "ajar").string();
   const Outcome outcome =
@@ -66,7 +66,7 @@ std::vector<std::string> small_render(const std::string& integrator, const std::
 
 TEST_F(MpiCli, AnyNumberOfRanksGivesTheSameFile) {
   for (const std::string integrator :
-       {"bdpt", "pssmlt", "mmlt", "mlt", "erpt", "mmlt+", "selective"}) {
+       {"bdpt", "pssmlt", "mmlt", "mlt", "erpt", "masked", "selective"}) {
     ASSERT_EQ(run(small_render(integrator, "one.pfm")).exit_code, 0);
     const json alone = statistics();
     for (const int count : {2, 3}) {
@@ -110,19 +110,19 @@ TEST_F(MpiCli, MessagesThatCannotBeWrittenAreDropped) {
 }
 
 TEST_F(MpiCli, CheckpointsGoFromRanksToOneProcessAndBack) {
-  std::vector<std::string> arguments = small_render("mmlt+", "a.pfm");
+  std::vector<std::string> arguments = small_render("selective", "a.pfm");
   arguments.insert(arguments.end(), {"--checkpoint", "c"});
   ASSERT_EQ(run_ranks(2, arguments).exit_code, 0);
   ASSERT_EQ(run({"resume", "c", "--spp", "40"}).exit_code, 0);
   const Outcome outcome = run_ranks(3, {"resume", "c", "--spp", "64", "--threads", "1"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  arguments = small_render("mmlt+", "alone.pfm");
+  arguments = small_render("selective", "alone.pfm");
   std::replace(arguments.begin(), arguments.end(), std::string("24"), std::string("64"));
   ASSERT_EQ(run(arguments).exit_code, 0);
   EXPECT_EQ(bytes("a.pfm"), bytes("alone.pfm"));
 }
 
-TEST_F(MpiCli, WhatIsWrongIsToldOnceAndEndsAllRanks) {
+TEST_F(MpiCli, ErrorsAreReportedOnceAndEndAllRanks) {
   const Outcome outcome = run_ranks(2, {"render", "builtin:nowhere"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err.find("ajar: error:"), outcome.err.rfind("ajar: error:")) << outcome.err;

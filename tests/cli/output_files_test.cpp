@@ -5,7 +5,7 @@
 namespace ajar {
 namespace {
 
-/// The program beside what somebody else has put into the folder it writes to.
+/// The program beside files of others in the folder it writes to.
 class OutputFiles : public Cli {
  protected:
   void SetUp() override {
@@ -90,7 +90,7 @@ TEST_F(OutputFiles, PipesOfTheShellAreWritten) {
   EXPECT_TRUE(contains(read_text(file("said")), "\"integrator\"")) << read_text(file("said"));
 }
 
-TEST_F(OutputFiles, WhatRenderRefusesConvertRefusesLikewise) {
+TEST_F(OutputFiles, ConvertRefusesTheNamesThatRenderRefuses) {
   file(
       "flat.pbrt",
       "Scale 5e17 -9223372036854775809 1\nLookAt -0.3 0.5 -0.5  0 0.075 0  0 1 0\n"

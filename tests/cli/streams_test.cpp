@@ -1,4 +1,4 @@
-// What becomes of a render when nobody can read its messages any more.
+// Renders with unreadable streams.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <pty.h>
@@ -83,7 +83,7 @@ TEST_F(StreamsCli, AResultThatCannotBeWrittenIsAnErrorButAPictureIsThere) {
   EXPECT_TRUE(fs::exists(folder_ / "a.pfm"));
 }
 
-TEST_F(StreamsCli, AReaderWhoHasSeenEnoughIsNoError) {
+TEST_F(StreamsCli, ClosedPipeIsNoError) {
   for (const auto& [how, change] : lost_streams(STDOUT_FILENO)) {
     if (how != "a pipe without a reader") continue;
     const Outcome outcome = finish(start({"list"}, AJAR_PROGRAM, change));
@@ -137,7 +137,7 @@ class TerminalCli : public StreamsCli {
   pid_t child_ = 0;
 };
 
-TEST_F(TerminalCli, ATerminalThatClosesTakesNothingAlong) {
+TEST_F(TerminalCli, ClosedTerminalDoesNotStopARender) {
   ASSERT_TRUE(wait_for_samples());
   close(screen_);
   // The hang-up asks for the picture, and the render goes on.
@@ -149,7 +149,7 @@ TEST_F(TerminalCli, ATerminalThatClosesTakesNothingAlong) {
   EXPECT_EQ(statistics().at("interruptions"), 1);
 }
 
-TEST_F(TerminalCli, AReaderWhoStopsReadingStopsNoRender) {
+TEST_F(TerminalCli, StalledReaderDoesNotStopARender) {
   ASSERT_TRUE(wait_for_samples());
   // As Ctrl-S does.
   const char stop = 19;

@@ -94,7 +94,7 @@ TEST_F(StudyCli, ScenesOfEqualFileNamesHaveReportsOfTheirOwn) {
   }
 }
 
-TEST_F(StudyCli, SaysWhichScenesAreLeftOut) {
+TEST_F(StudyCli, ReportsSkippedScenes) {
   std::ofstream(file("study.json"), std::ios::trunc)
       << R"({"scenes": ["builtin:cornell", {"scene": "absent.pbrt", "optional": true}],
              "resolution": "8x8", "threads": 1, "metrics": ["psnr"], "integrators": ["pt"],
@@ -108,7 +108,7 @@ TEST_F(StudyCli, SaysWhichScenesAreLeftOut) {
   EXPECT_TRUE(contains(read_text(report), "absent.pbrt"));
 }
 
-TEST_F(StudyCli, GoesOnWithWhatIsMissingOrChanged) {
+TEST_F(StudyCli, RunsMissingAndChangedRenders) {
   write_study(R"([{"spp": 4}])");
   ASSERT_EQ(study().exit_code, 0);
   const auto written = [&](const std::string& method, int seed) {
@@ -139,7 +139,7 @@ TEST_F(StudyCli, GoesOnWithWhatIsMissingOrChanged) {
   EXPECT_GT(written("pt", 1), kept);
 }
 
-TEST_F(StudyCli, ControlCKeepsWhatIsFinished) {
+TEST_F(StudyCli, ControlCKeepsFinishedRuns) {
   write_study(R"([{"spp": 4}, {"time": "1h"}])");
   const pid_t child = start({"study", "study.json", "--out", "out"});
   const fs::path last = run_file("bdpt_cull=0.1", "4spp", 2, ".record.json");
@@ -167,7 +167,7 @@ TEST_F(StudyCli, ControlCKeepsWhatIsFinished) {
   EXPECT_TRUE(contains(again.err, "7 of 13 renders are there already")) << again.err;
 }
 
-TEST_F(StudyCli, AKilledStudyLosesTheRenderThatRanAndNoMore) {
+TEST_F(StudyCli, AKilledStudyLosesOnlyTheCurrentRender) {
   write_study(R"([{"spp": 4}, {"time": "1h"}])");
   const pid_t child = start({"study", "study.json", "--out", "out"});
   const fs::path endless = run_file("pt", "3600s", 1, ".log");
@@ -181,10 +181,10 @@ TEST_F(StudyCli, AKilledStudyLosesTheRenderThatRanAndNoMore) {
 }
 
 TEST_F(StudyCli, AFailingRenderDoesNotStopTheOthers) {
-  // Only the render itself can tell that the map of importance is absent.
+  // Only the render itself can find that the map of importance is absent.
   file("study.json", R"({"scenes": ["builtin:cornell"], "resolution": "16x12", "seeds": 2,
-      "integrators": ["pt", {"integrator": "mmlt+", "name": "mapped",
-                             "parameters": {"importance": "absent.pfm", "bootstrap": 1000}}],
+      "integrators": ["pt", {"integrator": "selective", "name": "mapped",
+                             "parameters": {"importance": "absent.pfm"}}],
       "budgets": [{"spp": 4}], "metrics": ["relmse"],
       "reference": {"integrator": "pt", "spp": 16}})");
   const Outcome outcome = study();
@@ -201,7 +201,7 @@ TEST_F(StudyCli, AFailingRenderDoesNotStopTheOthers) {
   EXPECT_TRUE(results().at("summary").at(0).at("metrics").at("relmse").is_object());
   std::string text = read_text(file("study.json"));
   const std::string made = R"({"integrator": "pt", "spp": 16})";
-  text.replace(text.find(made), made.size(), R"({"integrator": "mmlt+", "spp": 16,
+  text.replace(text.find(made), made.size(), R"({"integrator": "selective", "spp": 16,
       "parameters": {"importance": "nowhere.pfm"}})");
   std::ofstream(file("study.json"), std::ios::trunc) << text;
   EXPECT_EQ(study().exit_code, 1);
@@ -209,7 +209,7 @@ TEST_F(StudyCli, AFailingRenderDoesNotStopTheOthers) {
   EXPECT_TRUE(results().at("summary").at(0).at("metrics").at("relmse").is_null());
 }
 
-TEST_F(StudyCli, SaysWhatIsWrong) {
+TEST_F(StudyCli, ReportsErrors) {
   file("wrong.json", R"({"scenes": ["builtin:cornell"], "integrators": ["ptt"],
       "reference": {"integrator": "pt", "spp": 1}})");
   const Outcome wrong = run({"study", "wrong.json", "--out", "out"});

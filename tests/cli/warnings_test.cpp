@@ -4,7 +4,7 @@
 
 #include "cli_fixture.h"
 
-/// What is said of scenes with faults, as whoever lights them reads it.
+/// Warnings on scenes with faults, as a lighting artist reads them.
 namespace ajar {
 namespace {
 
@@ -46,7 +46,7 @@ class FaultyScenes : public Cli {
 
 constexpr std::size_t kAll = 3000 + 300 + 12 + 3;
 
-TEST_F(FaultyScenes, AreToldOfInTheOrderOfWhatTheyDoToThePicture) {
+TEST_F(FaultyScenes, AreReportedInTheOrderOfTheirEffect) {
   const Outcome outcome = run({"render", "scene.pbrt", "--spp", "1", "--resolution", "8x8",
                                "--integrator", "pt", "--progress", "none", "-o", "a.pfm"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -92,7 +92,7 @@ TEST_F(FaultyScenes, AreListedByInfoWithoutLeavingOutAny) {
   EXPECT_EQ(by_effect, kAll);
 }
 
-TEST_F(FaultyScenes, HaveWhatMattersFirstInTheStatistics) {
+TEST_F(FaultyScenes, HaveTheLargestEffectFirstInTheStatistics) {
   const Outcome outcome =
       run({"render", "scene.pbrt", "--spp", "1", "--resolution", "8x8", "--integrator", "pt",
            "--progress", "none", "-o", "a.pfm", "--stats", "stats.json"});
@@ -118,14 +118,14 @@ TEST_F(Cli, AScenesNameIsOneWordOfTheCommandThatListsItsWarnings) {
       << outcome.err;
 }
 
-TEST_F(Cli, ASceneWithoutLightIsSaidToBeBlack) {
+TEST_F(Cli, ASceneWithoutLightIsAWarning) {
   file("dark.pbrt", "Camera \"perspective\" WorldBegin Shape \"sphere\" WorldEnd");
   const Outcome outcome = run({"info", "dark.pbrt"});
   EXPECT_TRUE(contains(outcome.err, "there is no light in this scene: its picture is black"))
       << outcome.err;
 }
 
-TEST_F(Cli, NotesSayWhatIsDifficultAboutAPicture) {
+TEST_F(Cli, NotesNameTheDifficultiesOfAPicture) {
   const auto notes_of = [&](const std::string& scene) {
     return run({"render", "builtin:" + scene, "--spp", "4", "--resolution", "48x36", "--progress",
                 "none", "-o", "a.pfm"})

@@ -231,7 +231,7 @@ std::vector<Heuristic> heuristics_of(const std::string& text) {
   return found;
 }
 
-TEST(Heuristics, FindsConstantsHoweverTheyAreWritten) {
+TEST(Heuristics, FindsConstantsInAnyNotation) {
   EXPECT_EQ(number_constants("constexpr double kA = 0.5;"), std::vector<std::string>{"kA"});
   EXPECT_EQ(number_constants("static constexpr std::array<int, 2>\n  kA = {1, 2};"),
             std::vector<std::string>{"kA"});
@@ -241,7 +241,7 @@ TEST(Heuristics, FindsConstantsHoweverTheyAreWritten) {
   EXPECT_TRUE(number_constants("constexpr Walk kA{.mode = Mode::kB};").empty());
 }
 
-TEST(Heuristics, AreNowhereElse) {
+TEST(Heuristics, AreInTheirFilesOnly) {
   std::set<std::pair<std::string, std::string>> excused;
   for (const auto& [file, numbers] : unfitted()) {
     for (const std::string& name : numbers.names) excused.emplace(file, name);
@@ -264,7 +264,7 @@ TEST(Heuristics, AreNowhereElse) {
   }
 }
 
-TEST(Heuristics, SayUnitRangeAndSourceAndAreUsed) {
+TEST(Heuristics, HaveUnitRangeAndSourceAndAreUsed) {
   for (const std::string& room : rooms_with_heuristics()) {
     const std::string text = text_of(source_folder() / room / "heuristics.h");
     std::string uses;

@@ -1,5 +1,4 @@
-// Materials of other renderers against what these make of them: on a ball under a lamp, and in a
-// furnace.
+// Materials of other renderers against their own values: on a ball under a lamp, and in a furnace.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +22,7 @@ enum FormatOfModel { kMitsuba3, kMitsuba06, kTungsten, kPbrt3, kPbrt4, kGltf };
 constexpr std::array kHeadings = {"Mitsuba 3", "Mitsuba 0.6", "Tungsten",
                                   "pbrt-v3",   "pbrt-v4",     "glTF"};
 
-/// A material as its format has it, and what its renderer makes of it: for Mitsuba 3 by its bsdfs
+/// A material as its format has it, and its values in its renderer: for Mitsuba 3 by its bsdfs
 /// (3.9, `eval` and `sample`), for pbrt-v4's layers by a random walk as there, for others by the
 /// formulas that they publish. Numbers are those of `lit` and `furnace` below; of single lanes.
 struct ModelCase {
@@ -366,7 +365,7 @@ double error_of(const ModelCase& model, const Measured& ours) {
   return model.lit < 0.0 ? in_furnace : std::max(in_furnace, relative_error(ours.lit, model.lit));
 }
 
-TEST(FormatModels, AreAsInTheirRenderers) {
+TEST(FormatModels, MatchTheirRenderers) {
   for (const ModelCase& model : model_cases()) {
     const Measured ours = measured(model);
     EXPECT_LE(error_of(model, ours), model.error)
@@ -397,7 +396,7 @@ std::vector<std::string> cells_of(const std::string& row) {
   return cells;
 }
 
-/// Whether two rows say the same, numbers but for the last digit.
+/// True if two rows are equal, numbers but for the last digit.
 bool is_same_row(const std::string& a, const std::string& b) {
   const std::vector<std::string> left = cells_of(a);
   const std::vector<std::string> right = cells_of(b);

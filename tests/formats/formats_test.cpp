@@ -1,4 +1,4 @@
-// The same scene in several formats is the same picture: units, sides, directions and images.
+// Equal scenes in several formats give equal pictures: units, sides, directions and images.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(SharedPair{"cornell-box/pbrt/scene.pbrt", "cornell-box/scene.xml"},
                       SharedPair{"cornell-box/pbrt/scene.pbrt", "cornell-box/scene-mitsuba3.xml"},
                       SharedPair{"veach-mis/pbrt/scene.pbrt", "veach-mis/pbrt/scene-v4.pbrt"},
-                      // Whose metals reflect 0.3 of what those of the pbrt files do.
+                      // Metals of these scenes reflect 0.3 of those of the pbrt files.
                       SharedPair{"veach-mis/scene.xml", "veach-mis/scene-mitsuba3.xml"}));
 
 }  // namespace

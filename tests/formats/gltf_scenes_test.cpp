@@ -211,7 +211,7 @@ TEST_F(Gltf, PicturesAreNotMirrored) {
   expect_color(seen.mean(0.3F, 0.7F, 0.1F, 0.4F), {0, 0, 1});
 }
 
-TEST_F(Gltf, BothSidesReflectWhateverDoubleSidedSays) {
+TEST_F(Gltf, BothSidesReflectWithAnyDoubleSided) {
   // Light along −z, with the irradiance 2π, from the side of the camera.
   add_light({{"type", "directional"}, {"intensity", 2.0 * M_PI}});
   add_square(matt({0.25, 0.5, 0.125, 1}));
@@ -272,7 +272,7 @@ TEST_F(Gltf, UnlitSurfacesShineInTheirColor) {
   expect_color(picture(1, MayWarn::Yes).mean(), {0.2F, 0.4F, 0.8F});
 }
 
-TEST_F(Gltf, ThinGlassLetsThroughWhatItDoesNotReflect) {
+TEST_F(Gltf, ThinGlassTransmitsTheRest) {
   // A pane reflects 2R / (1 + R), all orders between its sides in all; light that passes has the
   // base colour.
   look_from(5.F, 0.02F);

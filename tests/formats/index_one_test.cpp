@@ -16,7 +16,7 @@ AttributeEnd
 LightSource "point" "point from" [0 2.5 0] "rgb I" [3 3 3])");
 }
 
-TEST(GlassOfIndexOne, IsNotThere) {
+TEST(GlassOfIndexOne, IsInvisible) {
   const std::string ball = " Translate 0 2 0 Shape \"sphere\" \"float radius\" 1 Translate 0 -2 0";
   const auto picture = [](const std::string& shell, const std::string& method) {
     // Lamp, floor, lens: paths of two edges, and no chance to meet a point.
@@ -38,7 +38,7 @@ TEST(GlassOfIndexOne, IsNotThere) {
   }
 }
 
-TEST(GlassOfIndexOne, ThatShinesIsALamp) {
+TEST(GlassOfIndexOne, WithEmissionIsALamp) {
   const auto scene = scene_from(pbrt_scene("Camera \"perspective\"", 4, 4, R"(
 AttributeBegin Translate 0 0 3 Material "glass" "float eta" 1
 AreaLightSource "diffuse" "rgb L" [2 2 2] Shape "sphere"

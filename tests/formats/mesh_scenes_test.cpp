@@ -32,8 +32,8 @@ struct MeshStage {
   bool shines = false;
 };
 
-/// Of a mesh in the file `name`, which is one of `files`. Images beside it are in the folder of
-/// `image`, if there is one.
+/// Picture of a mesh in the file `name`, which is one of `files`. Images beside it are in the
+/// folder of `image`, if there is one.
 TinyPicture mesh_picture(const std::string& name, const std::map<std::string, std::string>& files,
                          const MeshStage& stage, int samples = 1, const std::string& image = {}) {
   const std::filesystem::path folder =
@@ -60,7 +60,7 @@ TinyPicture mesh_picture(const std::string& name, const std::map<std::string, st
               {},
               desc::emission_node("area",
                                   {{"radiance", scene.materials.at(id).node.get("base_color")}})};
-          // Nothing but what it shines.
+          // Emission alone.
           scene.materials[id].node = desc::material_node("diffuse", {{"reflectance", Vec3(0.F)}});
         }
         // Texels as squares.
@@ -86,7 +86,7 @@ const std::string kUprightSquare =
     "mtllib a.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
     "vt 0 1\nf 1/1 2/2 3/3 4/4\n";
 
-/// The same square with a material.
+/// The square with a material.
 TinyPicture obj_picture(const std::string& material, const MeshStage& stage, int samples = 1,
                         const std::string& image = {}) {
   return mesh_picture("a.obj", {{"a.obj", kUprightSquare}, {"a.mtl", "newmtl m\n" + material}},
@@ -129,7 +129,7 @@ TEST(MeshScenes, ColorsOfImagesAreDecodedAndFactorsAreLinear) {
                Vec3(0.5F, 1.F, 1.F) * image.decoded(), 0.01F);
 }
 
-TEST(MeshScenes, DissolveIsTheShareThatIsThere) {
+TEST(MeshScenes, DissolveIsOpacity) {
   // Black before a sky.
   expect_color(obj_picture("Kd 0 0 0\nd .25\n", {.light = MeshLight::EvenSky}, 1024).mean(),
                Vec3(0.75F), 0.02F);

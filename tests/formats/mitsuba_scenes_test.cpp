@@ -18,7 +18,7 @@ using test::FourColors;
 using test::MayWarn;
 using test::TinyPicture;
 
-/// What the same thing is called.
+/// Names in each version.
 struct MitsubaVersion {
   const char* number;
   const char* to_world;
@@ -29,7 +29,7 @@ void PrintTo(const MitsubaVersion& version, std::ostream* out) { *out << version
 
 class Mitsuba : public ::testing::TestWithParam<MitsubaVersion> {
  protected:
-  /// Of a scene that is written with ' in place of ".
+  /// Picture of a scene that is written with ' in place of ".
   TinyPicture picture(const std::string& body, int samples = 1,
                       MayWarn may_warn = MayWarn::No) const {
     const std::string text =
@@ -70,7 +70,7 @@ class Mitsuba : public ::testing::TestWithParam<MitsubaVersion> {
   std::string matt(const std::string& color) const {
     return "<bsdf type='twosided'><bsdf type='diffuse'>" + color + "</bsdf></bsdf>";
   }
-  /// What a wall of this reflects in even light, seen from the front.
+  /// Reflectance of a wall of this in even light, seen from the front.
   Vec3 reflected(const std::string& bsdf, int samples = 64) const {
     return picture(camera(5, 0.02F) + wall(bsdf) + kEvenLight, samples, MayWarn::Yes).mean();
   }
@@ -324,8 +324,8 @@ TEST_P(Mitsuba, MetalsReflectByTheirIndices) {
                      outside + "' value='1'/>"),
                Vec3(test::normal_reflectance(0.5F, 3.F)), 5e-3F);
   expect_color(metal("<string name='material' value='none'/>"), Vec3(1.F), 1e-3F);
-  // Of Tungsten's tables (Johnson and Christy 1972): another metal, or another order of lanes,
-  // would differ by more than a tenth.
+  // Values of Tungsten's tables (Johnson and Christy 1972): another metal, or another order of
+  // lanes, would differ by more than a tenth.
   expect_color(
       metal("<string name='material' value='Au'/>"),
       {test::normal_reflectance(0.143119F, 3.98316F), test::normal_reflectance(0.374957F, 2.38572F),
@@ -333,7 +333,7 @@ TEST_P(Mitsuba, MetalsReflectByTheirIndices) {
       0.1F);
 }
 
-TEST_P(Mitsuba, PanesAndMasksLetThroughWhatTheyDoNotReflect) {
+TEST_P(Mitsuba, PanesAndMasksTransmitTheRest) {
   // A pane reflects 2R / (1 + R), all orders between its sides in all.
   const auto through = [&](const std::string& bsdf) {
     return picture(camera(5, 0.02F) + wall(bsdf) + "<shape type='rectangle'>" +
@@ -370,7 +370,7 @@ TEST_P(Mitsuba, FieldOfViewIsThatOfTheWidth) {
         .x;
   };
   EXPECT_NEAR(covered(""), kPi / 8.F, 0.005F);
-  // Of its height: the disk cut at half its radius on both sides.
+  // Coverage of the disk cut at half its radius on both sides, over its height.
   EXPECT_NEAR(covered("<string name='" + axis + "' value='y'/>"),
               0.5F * std::sqrt(0.75F) + kPi / 6.F, 0.005F);
 }
@@ -400,8 +400,8 @@ TEST_P(Mitsuba, ProjectorsLightAPlaneEvenly) {
 }
 
 TEST_P(Mitsuba, NormalMapsOfOneColorTilt) {
-  // 0.8 / π · 3 · cosine, of a light that comes from (1, 0.3, 1). Mitsuba 3.9 has 0.5284, and of
-  // what is tilted 0.6997, 0.4198 and 0.6595: 5 to 6 % less, by its shadowing of normal maps.
+  // 0.8 / π · 3 · cosine, of a light that comes from (1, 0.3, 1). Mitsuba 3.9 has 0.5284, and
+  // tilted 0.6997, 0.4198 and 0.6595: 5 to 6 % less, by its shadowing of normal maps.
   const auto lit = [&](const std::string& map) {
     return picture(camera(5, 0.02F) +
                        wall("<bsdf type='normalmap'>" + map +

@@ -19,12 +19,13 @@ using test::FourColors;
 using test::MayWarn;
 using test::TinyPicture;
 
-/// What the same thing is called.
+/// Names in each version.
 struct PbrtVersion {
   const char* name;
   const char* film;
   const char* end;
-  const char* diffuse;  ///< of reflectance, opened: "Material …" up to its parameter
+  const char* diffuse;  ///< diffuse material, opened: "Material …" up to the value of its
+                        ///< reflectance
 };
 const PbrtVersion kV3{"v3", "image", "WorldEnd", "Material 'matte' 'rgb Kd' "};
 const PbrtVersion kV4{"v4", "rgb", "", "Material 'diffuse' 'rgb reflectance' "};
@@ -63,7 +64,7 @@ const char* const kAside = "Translate 9 0 0 Shape 'sphere' 'float radius' 0.01\n
 const char* const kWall =
     "Shape 'trianglemesh' 'integer indices' [0 2 1 0 3 2] 'point P' [-2 -2 0 2 -2 0 2 2 0 -2 2 0] "
     "'float uv' [0 0 1 0 1 1 0 1]\n";
-/// The same for pbrt-v4.
+/// The wall for pbrt-v4.
 const char* const kWall4 =
     "Shape 'trianglemesh' 'integer indices' [0 2 1 0 3 2] 'point3 P' [-2 -2 0 2 -2 0 2 2 0 -2 2 0] "
     "'point2 uv' [0 0 1 0 1 1 0 1]\n";
@@ -382,8 +383,9 @@ TEST(PbrtV4Scenes, MetalsReflectByTheirIndices) {
   };
   expect_color(reflected("'spectrum eta' [400 0.5 700 0.5] 'spectrum k' [400 3 700 3]"),
                Vec3(test::normal_reflectance(0.5F, 3.F)), 5e-3F);
-  // Of Tungsten's tables, which average the same measurements (Johnson and Christy 1972) by the eye
-  // in other light. Another metal, or another order of lanes, would differ by more than a tenth.
+  // Values of Tungsten's tables, which average the same measurements (Johnson and Christy 1972) by
+  // the eye in other light. Another metal, or another order of lanes, would differ by more than a
+  // tenth.
   expect_color(
       reflected("'spectrum eta' 'metal-Au-eta' 'spectrum k' 'metal-Au-k'"),
       {test::normal_reflectance(0.143119F, 3.98316F), test::normal_reflectance(0.374957F, 2.38572F),
@@ -488,8 +490,8 @@ TEST(Pbrt4, AlphaAndInterfacesAddNothingToTheDepth) {
   EXPECT_NEAR(seen("Material 'thindielectric'", "", 0), 0.F, 1e-6F);
 }
 
-TEST(Pbrt4, AlphaIsTheShareThatIsThere) {
-  // A quarter of what the wall shines, and three quarters of what is behind it.
+TEST(Pbrt4, AlphaIsOpacity) {
+  // A quarter of the wall's emission, and three quarters of the background.
   for (const std::string alpha : {"'float alpha' 0.25", "'texture alpha' 'quarter'"}) {
     const TinyPicture seen = picture_of(
         kV4, camera(5, 1),

@@ -5,7 +5,7 @@
 #include "import/pbrt/pbrt_import.h"
 #include "session/render/render_setup.h"
 
-/// What filters are told of a scene.
+/// Auxiliary buffers of a scene.
 namespace ajar {
 namespace {
 
@@ -53,7 +53,7 @@ void expect_near(const Vec3& value, const Vec3& wanted, float tolerance = 1e-5F)
 
 constexpr const char* kRed = "Material \"matte\" \"rgb Kd\" [0.8 0.1 0.2]\n";
 
-TEST(SceneFeatures, AreTheSurfaceThatIsSeen) {
+TEST(SceneFeatures, AreOfTheVisibleSurface) {
   const Look look = look_at(kRed + wall(5.F));
   expect_near(look.albedo, {0.8F, 0.1F, 0.2F});
   expect_near(look.normal, {0.F, 0.F, -1.F});
@@ -66,8 +66,8 @@ TEST(SceneFeatures, FollowMirrors) {
   expect_near(look.normal, {0.F, 0.F, 1.F});
 }
 
-TEST(SceneFeatures, SeeThroughGlassAsFarAsItIsClear) {
-  // A block of glass: Fresnel's equations leave 92 % of what is behind, 8 % is reflected in it.
+TEST(SceneFeatures, SeeThroughClearGlass) {
+  // A block of glass: Fresnel's equations leave 92 % of the background, 8 % is reflected in it.
   const Look look = look_at("Material \"glass\"\n" + wall(4.F) + wall(5.F) + kRed + wall(8.F));
   EXPECT_NEAR(look.albedo[0], 0.92F * 0.8F, 0.02F);
   EXPECT_NEAR(look.normal[2], -0.92F, 0.03F);
@@ -105,7 +105,7 @@ TEST(SceneFeatures, OfACropAreThoseOfTheWhole) {
   }
 }
 
-TEST(SceneFeatures, AreOfOneRayForAPixelWhereSomebodyWaits) {
+TEST(SceneFeatures, AreOfOneRayPerPixelInPreviews) {
   // Glass that mirrors or lets through by chance: of sixteen rays few pixels see the same.
   const auto scene = scene_of("Material \"glass\" Translate 0 0 4 Shape \"sphere\"\n" +
                               std::string(kRed) + wall(5.F));
@@ -114,13 +114,13 @@ TEST(SceneFeatures, AreOfOneRayForAPixelWhereSomebodyWaits) {
   int whole = 0;
   for (std::size_t i = 0; i < rough.normal.size(); i += 3) {
     const Vec3 normal(rough.normal[i], rough.normal[i + 1], rough.normal[i + 2]);
-    // Of one surface, or of none: a mean of several would be shorter than either.
+    // Normals are of one surface, or of none: a mean of several would be shorter than either.
     whole += std::abs(normal.length() - 1.F) < 1e-5F || normal.length() < 1e-5F ? 1 : 0;
   }
   EXPECT_EQ(whole, static_cast<int>(rough.normal.size() / 3));
 }
 
-TEST(SceneFeatures, EndWhenTheyAreTold) {
+TEST(SceneFeatures, StopOnRequest) {
   const auto scene = scene_of(kRed + wall(5.F));
   double last = 0.0;
   EXPECT_TRUE(trace_features(*scene, settings_for(*scene), [&](double done) {

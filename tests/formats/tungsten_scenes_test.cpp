@@ -15,7 +15,7 @@ using test::FourColors;
 using test::MayWarn;
 using test::TinyPicture;
 
-/// Of a scene that is written with ' in place of ".
+/// Picture of a scene that is written with ' in place of ".
 TinyPicture picture_of(const std::string& text, int samples, MayWarn may_warn = MayWarn::No) {
   return test::picture_of(
       [&](Warnings& warnings) {
@@ -302,7 +302,7 @@ TEST(TungstenScenes, SurfacesLookTheSameFromBehind) {
   }
 }
 
-TEST(TungstenScenes, CoatsAndPlasticsKeepTheLightThatTheyReflectOnAverage) {
+TEST(TungstenScenes, CoatsAndPlasticsKeepTheirMeanAlbedo) {
   // A convex body in an even environment reflects its mean albedo, seen from all sides: a sphere
   // shows each angle with the weight of its cosine.
   const auto mean_albedo = [](const std::string& bsdf) {
@@ -314,12 +314,12 @@ TEST(TungstenScenes, CoatsAndPlasticsKeepTheLightThatTheyReflectOnAverage) {
     const float disk = kPi / 4.F;
     return (all.x - (1.F - disk)) / disk;
   };
-  // Diffuse part of the plastic by its series, and what the layer reflects: for an index of 1.5
+  // Diffuse part of the plastic by its series, and the reflection of the layer: for an index of 1.5
   // 0.2612 + 0.0918.
   EXPECT_NEAR(mean_albedo("{'type': 'plastic', 'albedo': 0.5}"), 0.353F, 0.01F);
   EXPECT_NEAR(mean_albedo("{'type': 'rough_plastic', 'albedo': 0.5, 'roughness': 0.05}"), 0.353F,
               0.015F);
-  // A white mirror under a layer without absorption: what is reflected at once, and what goes in
+  // A white mirror under a layer without absorption: the outer reflection, and light that goes in
   // and out, (1 − F)² on average.
   EXPECT_NEAR(mean_albedo("{'type': 'smooth_coat', 'ior': 1.5, 'substrate': {'type': 'mirror'}}"),
               0.0918F + 0.837F, 0.015F);

@@ -25,7 +25,7 @@ class CheckingRecorder final : public PathRecorder {
       return;
     }
     const double expected = mis_weight(scene(), settings(), path, contribution.technique);
-    // Positions are floats: what is left are roundings of distances and cosines.
+    // Positions are floats: the rest are roundings of distances and cosines.
     EXPECT_NEAR(contribution.mis_weight, expected, 2e-3 + 2e-3 * expected)
         << "technique (" << s << ", " << t << ")";
     ++checked[{s, t}];

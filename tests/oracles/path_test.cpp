@@ -36,7 +36,7 @@ class Collector final : public PathRecorder {
   using PathRecorder::PathRecorder;
   void record(const Path& path, const Contribution& contribution) override {
     found.push_back({path, contribution});
-    found.back().contribution.light_point = nullptr;  // it does not last
+    found.back().contribution.light_point = nullptr;  // dangling later
     found.back().contribution.camera_point = nullptr;
   }
   std::vector<Found> found;
@@ -80,7 +80,7 @@ double relative_difference(const Spectrum& a, const Spectrum& b) {
 
 class Paths : public ::testing::TestWithParam<test::SmallScene> {};
 
-TEST_P(Paths, AreWorthWhatTheSamplerFound) {
+TEST_P(Paths, HaveTheContributionOfTheSampler) {
   const auto scene = test::scene_from(GetParam().text);
   for (const char* techniques : {"ibpt", "bdpt", "implicit,explicit*3,light*0.5,inner*0.25"}) {
     SCOPED_TRACE(techniques);
@@ -102,8 +102,8 @@ TEST_P(Paths, AreWorthWhatTheSamplerFound) {
   }
 }
 
-/// As chains go about it: one half moves and the other stays, and what is rejected is put back.
-/// Against paths that are sampled as a whole by the same numbers.
+/// As in chains: one half moves and the other stays, and rejected halves are restored. Against
+/// paths that are sampled as a whole by the same numbers.
 TEST_P(Paths, AreRecordedHalfByHalf) {
   const auto scene = test::scene_from(GetParam().text);
   PathSamplerSettings settings;
@@ -117,7 +117,7 @@ TEST_P(Paths, AreRecordedHalfByHalf) {
     PathSampler sampler(*scene, settings);
     Collector recorder(*scene, settings);
     struct Half {
-      std::uint32_t number;  ///< of what it is traced by
+      std::uint32_t number;  ///< light or camera number
       bool complete;
       PathVertex end;
       PathRecorder::Subpath recorded;
@@ -194,7 +194,7 @@ TEST_P(Paths, AreRecordedHalfByHalf) {
   EXPECT_GT(found, 300);
 }
 
-/// Light that goes into glass and stays there: what it is worth depends on the end from which the
+/// Light that goes into glass and stays there: its contribution depends on the end from which the
 /// boundary is passed. (Through a whole ball these factors cancel.)
 TEST(PathMeasure, BoundariesAreCountedFromTheEndThatPassesThem) {
   const auto scene =
@@ -292,7 +292,7 @@ TEST_P(Paths, SurviveAnArchive) {
     EXPECT_EQ(throughput(*scene, read, contribution.technique),
               throughput(*scene, path, contribution.technique));
   }
-  // What strangers write: cut short anywhere, or with any byte another.
+  // Corrupt archives: cut short anywhere, or with any byte another.
   const Path& longest =
       std::max_element(found.begin(), found.end(), [](const Found& a, const Found& b) {
         return a.path.depth() < b.path.depth();
@@ -312,7 +312,7 @@ TEST_P(Paths, SurviveAnArchive) {
         }
       });
     } catch (const std::exception&) {
-      // It need not be refused, if it does no harm.
+      // Accepted archives must do no harm.
     }
   }
 }
@@ -329,10 +329,10 @@ float number_at(SampleSource& numbers, SampleAddress address) {
   return slot % 2 == 0 ? pair.x : pair.y;
 }
 
-/// Numbers of whole paths: inverses of what uniform numbers made are distributed as those numbers
-/// are, given that they find a path; roulette, tries and distances included. Every address is
-/// counted in 8 bins, against the numbers of other samples. Power: with about 5000 paths of either
-/// kind a number whose density is wrong by 15 % everywhere is found at p < 10⁻⁶.
+/// Numbers of whole paths: inverses of samples from uniform numbers are distributed as those
+/// numbers are, given that they find a path; roulette, tries and distances included. Every address
+/// is counted in 8 bins, against the numbers of other samples. Power: with about 5000 paths of
+/// either kind a number whose density is wrong by 15 % everywhere is found at p < 10⁻⁶.
 TEST(PathInversion, NumbersAreDistributedAsThoseThatWereSampled) {
   for (const auto& [name, technique] :
        std::vector<std::pair<std::string, Technique>>{{"Environment", {0, 4}},
@@ -370,7 +370,7 @@ TEST(PathInversion, NumbersAreDistributedAsThoseThatWereSampled) {
     }
     for (auto& kind : counts) kind.assign(addresses.size(), std::vector<double>(kBins));
     for (std::uint64_t i = 0; i < 8000000 && (paths[0] < kPaths || paths[1] < kPaths); ++i) {
-      // Odd samples are inverted, even ones are what to compare with.
+      // Odd samples are inverted, even ones are the reference.
       const int kind = static_cast<int>(i % 2);
       if (paths[kind] == kPaths) continue;
       IndependentSource source({i, 1, i, 2});
@@ -402,7 +402,7 @@ TEST(PathInversion, NumbersAreDistributedAsThoseThatWereSampled) {
   }
 }
 
-TEST(PathVerify, NamesWhatDoesNotFit) {
+TEST(PathVerify, NamesMismatches) {
   const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
   const PathSamplerSettings settings = settings_of("bdpt");
   const auto complaint = [&](const Path& path, const Contribution& contribution) {

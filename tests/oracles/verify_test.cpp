@@ -9,7 +9,7 @@
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// What is noticed of paths that cannot be.
+/// Detection of impossible paths.
 namespace ajar {
 namespace {
 
@@ -26,7 +26,7 @@ Path path_through_glass(const Scene& scene) {
   return *found;
 }
 
-TEST(Verify, NamesWhatIsWrongWithAPath) {
+TEST(Verify, NamesErrorsOfAPath) {
   const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
   const Path path = path_through_glass(*scene);
   EXPECT_NO_THROW(verify(*scene, path, "a test"));

@@ -245,7 +245,7 @@ class FromTheLight : public ::testing::TestWithParam<std::string> {
     }
     return result;
   }
-  /// Chains bring their error with them: the mean is known less well.
+  /// Errors of chains are correlated: the mean is less certain.
   void expect_mean_of(int count, const Scene& scene, double expected) const {
     const test::Render picture = render(scene, options(count));
     expect_mean(picture, expected, picture.counters.mutations > 0 ? 0.12 : 0.02);
@@ -306,7 +306,7 @@ TEST_P(FromTheLight, ThroughAMirrorChain) {
 }
 
 TEST_P(FromTheLight, PhotonsThatHitTheLensPassThroughIt) {
-  // A lamp behind a lens of radius 1 lights what the camera sees, right through the lens: nothing
+  // A lamp behind a lens of radius 1 lights the visible surface, right through the lens: nothing
   // blocks that light, and no technique may count it as arriving at the film.
   const auto scene = scene_from(pbrt_scene(
       "LookAt 0 0 -4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [20] \"float lensradius\" "

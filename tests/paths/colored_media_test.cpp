@@ -37,7 +37,7 @@ std::string smoke(const Lanes& sigma_s, const Lanes& sigma_a) {
 
 using MakeMedium = std::string (*)(const Lanes& sigma_s, const Lanes& sigma_a);
 
-/// A ball of it before a sky as bright in all directions: what does not absorb is invisible.
+/// A ball of it before a sky as bright in all directions: media without absorption are invisible.
 std::string ball(const std::string& medium) {
   return pbrt_scene(medium + kView, 16, 16,
                     "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMediumInterface \"m\" \"\"\n"
@@ -46,7 +46,7 @@ std::string ball(const std::string& medium) {
 
 struct BlueSpread {
   double mean;
-  double variance;  ///< of a pixel
+  double variance;  ///< variance of a pixel
 };
 BlueSpread blue(const test::Render& picture) {
   const std::vector<float> pixels = picture.image();
@@ -65,8 +65,8 @@ class ColoredMedia : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Methods, ColoredMedia, ::testing::Values("pt", "lt", "ibpt", "bdpt"),
                          [](const auto& test) { return std::string(test.param); });
 
-/// One lane has a third of the samples, so that three times the variance is what is to be expected.
-/// Were a lane drawn for each distance, it were twenty times and more.
+/// One lane has a third of the samples, so that three times the variance is expected. With a lane
+/// drawn for each distance, it would be twenty times and more.
 TEST_P(ColoredMedia, AreAlmostAsQuietAsGreyOnes) {
   for (const MakeMedium medium : {&fog, &smoke}) {
     SCOPED_TRACE(medium == &fog ? "fog" : "smoke");
@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, LanesOfMedia,
                          ::testing::Values("pt", "ibpt", "bdpt", "pssmlt", "mmlt", "mlt"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(LanesOfMedia, AreWhatGreyMediaAre) {
+TEST_P(LanesOfMedia, MatchGreyMedia) {
   const std::array<double, 3> sigma_s = {0.5, 1.0, 2.5};
   const std::array<double, 3> sigma_a = {0.3, 0.1, 0.4};
   const bool chains = test::has_chains(GetParam());
@@ -122,7 +122,7 @@ TEST_P(LanesOfMedia, AreWhatGreyMediaAre) {
     SCOPED_TRACE(medium == &fog ? "fog" : "smoke");
     test::RenderOptions options;
     options.samples = 128;
-    // Chains need long for what scatters many times.
+    // Chains need long for many scattering events.
     options.max_depth = 6;
     PerLane expected{};
     PerLane error{};

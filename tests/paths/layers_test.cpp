@@ -20,7 +20,7 @@ using test::pbrt_scene;
 using test::render;
 using test::scene_from;
 
-/// Inside a sphere that emits 1 and reflects 0.5: paths of k edges bring 0.5^(k-1).
+/// Inside a sphere that emits 1 and reflects 0.5: paths of k edges contribute 0.5^(k-1).
 std::unique_ptr<Scene> closed_room() {
   return scene_from(
       pbrt_scene("LookAt 0 0 0.7  0 0 2  0 1 0\nCamera \"perspective\" \"float fov\" [90]", 12, 8,

@@ -14,12 +14,12 @@
 #include "support/room_formats.h"
 #include "support/small_scenes.h"
 
-/// Numbers in files, in parameters and in what is written have a point, whatever the locale of the
-/// program that the library is part of.
+/// Numbers in files, in parameters and in output have a point, whatever the locale of the program
+/// that the library is part of.
 namespace ajar::test {
 namespace {
 
-/// All that `tell` says, in the usual locale and with commas.
+/// Text written by `tell`, in the usual locale and with commas.
 template <typename Tell>
 void expect_same_with_commas(const Tell& tell) {
   const auto usual = tell();

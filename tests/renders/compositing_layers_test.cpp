@@ -30,7 +30,7 @@ const std::string kDisk = R"(Material "matte" "rgb Kd" [.4 .4 .4]
 AreaLightSource "diffuse" "rgb L" [.5 .5 .5]
 Translate 0 0 3 Scale 1 1 -1 Shape "disk" "float radius" .8)";
 
-TEST(CompositingLayers, AlphaIsTheShareThatIsNotSky) {
+TEST(CompositingLayers, AlphaIsTheCoverageBySurfaces) {
   const Picture picture = picture_of(kDisk, {"alpha", "coverage"});
   const std::vector<float>& alpha = pixels_of(picture, "A");
   EXPECT_EQ(alpha, pixels_of(picture, "coverage"));
@@ -42,7 +42,7 @@ TEST(CompositingLayers, AlphaIsTheShareThatIsNotSky) {
   }
 }
 
-TEST(CompositingLayers, AlphaOfFogIsWhatScattersInIt) {
+TEST(CompositingLayers, AlphaOfFogIsItsScattering) {
   const std::string fog = R"(MakeNamedMedium "fog" "string type" "homogeneous"
 "rgb sigma_a" [.5 .5 .5] "rgb sigma_s" [1 1 1] MediumInterface "fog" "" Material ""
 Translate 0 0 3 Scale 3 3 1 Shape "sphere"

@@ -77,12 +77,12 @@ TEST(MergedSeeds, HaveTheExpectationOfOneLongRender) {
     options.integrator = integrator;
     options.replicates = 8;
     options.max_depth = 6;
-    if (test::has_parameter(integrator, "split")) options.parameters["bootstrap"] = "20000";
+    if (test::has_parameter(integrator, "bootstrap")) options.parameters["bootstrap"] = "20000";
     options.samples = 512;
     options.seed = 99;
     const test::Render whole = test::render(room(), options);
     const Replicates merged = replicates_of(merge_seeds(options, 1, {256, 128, 128}));
-    // Chains bring their error with them: replicates differ by more.
+    // Errors of chains are correlated: replicates differ by more.
     const double power = whole.counters.mutations > 0 ? 0.25 : 0.06;
     test::expect_same(merged, test::replicates_of(whole), *whole.film, power, integrator);
   }
@@ -90,7 +90,7 @@ TEST(MergedSeeds, HaveTheExpectationOfOneLongRender) {
 
 TEST(MergedSeeds, AreReplicateByReplicateTheMean) {
   test::RenderOptions options;
-  options.integrator = "pssmlt+";
+  options.integrator = "masked";
   options.parameters = {{"bootstrap", "20000"}};
   // Equal: layers of ordinary Monte Carlo beside chains are weighted by their own samples.
   const std::vector<int> samples = {24, 24, 24};

@@ -25,26 +25,25 @@ namespace {
 
 using Sums = std::vector<std::int64_t>;
 
-/// An integrator and what of its parameters is not by default.
+/// An integrator and its parameters that are not at their defaults.
 struct Method {
   std::string integrator;
   std::map<std::string, std::string> parameters;
   std::vector<std::string> aovs = {"albedo", "object-id"};
-  /// b is refined, recruits join and maps end epochs at 4, 8, …
+  /// seeds join chains and maps end epochs at 4, 8, …
   std::uint64_t samples = 16;
 };
 
-/// Every integrator, and what else chains, and those who look at what they have rendered, remember.
+/// Every integrator, and the state of other chains, and of methods that adapt to their samples.
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, {}});
-  methods.push_back({"mmlt+", {{"split", "0"}, {"multi-try", "2"}}});
-  methods.push_back({"mmlt+", {{"step", "adaptive"}, {"m1", "1"}}});
-  methods.push_back({"pssmlt+", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
-  methods.push_back({"selective", {{"map", "binary"}, {"chain", "pssmlt"}}});
+  methods.push_back({"mmlt", {{"multi-try", "2"}}});
+  methods.push_back({"mmlt", {{"step", "adaptive"}, {"m1", "1"}}});
+  methods.push_back({"mmlt", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
+  methods.push_back({"masked", {{"pilot", "keep"}, {"chain", "pssmlt"}}});
+  methods.push_back({"masked", {{"chain", "erpt"}, {"mutations", "3"}}});
   methods.push_back({"selective", {{"chain", "mlt"}, {"split", "0.1"}}, {"density"}});
-  methods.push_back({"selective", {{"chain", "mlt"}, {"omc", "pt"}}});
-  methods.push_back({"selective", {{"chain", "erpt"}, {"split", "0.1"}}});
   // Without layers that want as many camera samples everywhere; and until more than three stretches
   // tell how much of the chains' error lasts.
   methods.push_back({"selective", {}, {"density"}});
@@ -76,8 +75,7 @@ class Case {
     // The default bootstrap and pilot take longer than all the rest.
     for (const ParameterSpec& spec : info_.parameters) {
       if (spec.name == "bootstrap") parameters_["bootstrap"] = "3000";
-      if (spec.name == "pilot-samples" && info_.name == "selective")
-        parameters_["pilot-samples"] = "8";
+      if (spec.name == "pilot-samples") parameters_["pilot-samples"] = "8";
     }
   }
 
@@ -109,14 +107,14 @@ class Case {
   std::uint64_t samples_;
 };
 
-/// Scenes that differ in what the film or the sampler does. Each method has one of them for each
-/// test, and each scene a third of the methods.
+/// Scenes that differ in their film or sampler. Each method has one of them for each test, and each
+/// scene a third of the methods.
 constexpr std::array<const char*, 3> kScenes = {"Environment", "CroppedMitchell", "Fog"};
 
 class Resume : public ::testing::TestWithParam<const char*> {
  protected:
   Resume() : scene_(test::scene_from(test::small_scene(GetParam()).text)) {}
-  /// Methods that have this scene; `turn` tells tests apart.
+  /// Methods that have this scene; `turn` distinguishes tests.
   std::vector<Case> cases(std::size_t turn) const {
     const auto number = static_cast<std::size_t>(
         std::find(kScenes.begin(), kScenes.end(), std::string(GetParam())) - kScenes.begin());
@@ -144,7 +142,7 @@ Checkpoint checkpoint_of(const Case& one, const Integrator& integrator, const Fi
   return next;
 }
 
-/// Takes up what a checkpoint has.
+/// Restores a checkpoint.
 Film take_up(const Case& one, Checkpoint read, Integrator& integrator, RenderJobOptions& options) {
   check_scene(read, one.scene_.hash(), integrator.layers(), "", false);
   unarchive(read.integrator_state, [&](InputArchive& archive) {
@@ -209,7 +207,7 @@ TEST_P(Resume, AtEveryPassGivesTheSameBits) {
   for (const Case& one : cases(0)) expect_the_same_at_every_pass(one);
 }
 
-/// What manifold connections have found is not kept, and found again.
+/// Paths of manifold connections are not saved, and found again.
 TEST(ResumeThroughWater, AtEveryPassGivesTheSameBits) {
   const auto scene = test::scene_from(test::pbrt_scene(
       "LookAt 0 2.4 -2.2  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [40]", 24, 16, R"(
@@ -220,7 +218,7 @@ Shape "trianglemesh" "point P" [-2 0 -2  2 0 -2  2 0 2  -2 0 2] "integer indices
 Material "glass" "float index" [1.33]
 Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer indices" [0 2 1 0 3 2]
 )"));
-  // So that stretches have several passes.
+  // Enough samples for epochs of several passes.
   const Method method{"selective", {}, {}, 64};
   const Case one(*scene, method);
   expect_the_same_at_every_pass(one);
@@ -251,7 +249,7 @@ TEST_P(Resume, OnSeveralRanksGivesTheSameBits) {
       for (std::thread& thread : threads) thread.join();
       EXPECT_EQ(together, alone) << one.name_ << ", " << count << " ranks";
       if (count < 3) continue;
-      // The root writes checkpoints: it must know what the others have done.
+      // The root writes checkpoints: it must have the state of the others.
       last.sums = together;
       const auto integrator = one.make();
       RenderJobOptions options = one.options(2, 2);

@@ -10,7 +10,7 @@ namespace ajar {
 /// would break a page which took them for HTML or JavaScript. Always the same.
 Report example_report();
 
-/// The same around given images; the first is the reference.
+/// Report around given images; the first is the reference.
 Report example_report_of(std::vector<ReportImage> images);
 
 }  // namespace ajar

@@ -19,7 +19,7 @@ namespace {
 /// A material as a format writes it, with `'` for `"`.
 struct FurnaceRow {
   std::string material;
-  /// Whether both sides look the same.
+  /// Declares whether both sides look the same.
   enum class Sides { Differ, Alike } sides = Sides::Differ;
   /// The most that a ball of it shows. Above 1, the material gains energy in its own renderer, so
   /// that closed rooms of it have no end.
@@ -138,8 +138,8 @@ FurnaceMean room(const desc::SceneDesc& imported, bool from_behind, const std::s
   return mean_of_parts(parts);
 }
 
-constexpr double kPower = 0.25;  ///< a gain of this much is noticed
-/// For what is compared with a number: a hundredth is noticed.
+constexpr double kPower = 0.25;  ///< power: a gain of this much is noticed
+/// For comparisons with a number: a hundredth is noticed.
 constexpr int kManySamples = 512;
 
 void expect_same(const FurnaceMean& seen, const FurnaceMean& expected, const std::string& what) {
@@ -225,13 +225,13 @@ std::vector<std::pair<std::string, desc::Node>> nodes_of(const desc::Model& mode
 
 TEST(MaterialFurnace, ModelsOfTheRegistry) {
   for (const MaterialModel& model : material_models()) {
-    if (model.model.name == "mix") continue;  // of others, which the formats have
+    if (model.model.name == "mix") continue;  // made of others, which the formats have
     for (const auto& [name, node] : nodes_of(model.model)) {
       SCOPED_TRACE(name);
       desc::SceneDesc scene;
       scene.materials.emplace_back().node = node;
       scene.shapes.emplace_back().material = 0;
-      // Burley's diffuse light is beside the gloss, whatever that reflects.
+      // Burley's diffuse light is beside the gloss, in addition to its reflection.
       const double most = name == "principled, eta 20.000000" ? 1.3 : 1.0;
       for (const bool from_behind : {false, true}) {
         expect_at_most(ball(scene, from_behind, name), most, name);
@@ -354,7 +354,7 @@ TEST(MaterialFurnace, Mitsuba) {
                  write_mitsuba_ball);
 }
 
-TEST(MaterialFurnace, PrincipledIsThatOfMitsuba) {
+TEST(MaterialFurnace, PrincipledMatchesMitsuba) {
   // Numbers by Mitsuba 3.9.
   struct Known {
     const char* base;
@@ -478,8 +478,8 @@ TEST(MaterialFurnace, Gltf) {
       write_gltf_ball);
 }
 
-TEST(MaterialFurnace, GltfIsThatOfAppendixB) {
-  // Closed integrals of its formulas for a roughness of 1, and what a room of that shines.
+TEST(MaterialFurnace, GltfMatchesAppendixB) {
+  // Closed integrals of its formulas for a roughness of 1, and the radiance in a room of that.
   for (const auto& [base, seen] : {std::pair("1", 0.973), {"0.8", 0.783}}) {
     const desc::SceneDesc scene = imported(gltf_surface(base, "1"), write_gltf_ball);
     for (const FurnaceMean& zone : ball(scene, false, base, kManySamples)) {

@@ -120,10 +120,10 @@ INSTANTIATE_TEST_SUITE_P(All, NullEventsCount,
                                            NullEvents{kMaskedThin, "path", 6, 0.9301, 0.3371},
                                            NullEvents{kMaskedThin, "volpath", 2, 0.9869, 0.7443}));
 
-/// Three wide masks before even light, of two edges: 0.7³ comes through, and mask i (from 0) sends
-/// back 0.3 · 0.5 of what comes to it, which passes i masks on either way. Mitsuba 3.9 has
-/// 0.6163 instead of 0.6025.
-TEST(Masks, LetLightThroughAndBackAsTheirOpacitySays) {
+/// Three wide masks before even light, of two edges: 0.7³ comes through, and mask i (from 0)
+/// reflects 0.3 · 0.5 of its light, which passes i masks on either way. Mitsuba 3.9 has 0.6163
+/// instead of 0.6025.
+TEST(Masks, TransmitBothWaysByTheirOpacity) {
   std::string scene = integrator("volpath", 2) + view(9, 24) + kEvenLight;
   for (int i = 0; i < 3; ++i) scene += square(600, i, kMask);
   const double passed = 0.7 * 0.7;
@@ -149,8 +149,8 @@ TEST_P(NullEventsOf, AddNothingToTheDepthThatCountsByAnyMethod) {
   EXPECT_LT(mean_of(lit("path", true), 64, GetParam()), 1e-6);
 }
 
-/// A lamp that is not seen lights what is behind it.
-TEST_P(NullEventsOf, LampsThatAreHiddenShineByAnyMethod) {
+/// An invisible lamp lights the scene behind it.
+TEST_P(NullEventsOf, HiddenLampsEmitByAnyMethod) {
   const auto lit = [](bool hidden) {
     return integrator("path", 4, hidden) + view(8, 16) + square(2, -1, "<bsdf type='diffuse'/>") +
            "<shape type='sphere'><float name='radius' value='0.5'/><point name='center' x='0.3' "
@@ -161,7 +161,7 @@ TEST_P(NullEventsOf, LampsThatAreHiddenShineByAnyMethod) {
 }
 
 /// A lamp that is not seen reflects the light of another, which is not seen either.
-TEST_P(NullEventsOf, LampsThatAreHiddenAreNotDrawnByAnyMethod) {
+TEST_P(NullEventsOf, HiddenLampsAreInvisibleByAnyMethod) {
   const auto lit = [](bool hidden) {
     return integrator("path", 3, hidden) + view(8, 16) +
            "<shape type='sphere'><float name='radius' value='0.5'/><bsdf type='diffuse'><rgb "
@@ -175,8 +175,8 @@ TEST_P(NullEventsOf, LampsThatAreHiddenAreNotDrawnByAnyMethod) {
   EXPECT_EQ(mean_of(lit(true), 64, GetParam()), 0.0);
 }
 
-/// The camera looks past a lamp, but not past what lies beyond a pane that counts.
-TEST_P(NullEventsOf, LampsBeyondWhatCountsAreSeenPastHiddenOnesByAnyMethod) {
+/// The camera looks past a lamp, but not past one beyond a pane that counts.
+TEST_P(NullEventsOf, LampsBehindHiddenOnesAreVisibleByAnyMethod) {
   const auto lamp = [](const std::string& shape, int radiance) {
     return shape + "<bsdf type='diffuse'><rgb name='reflectance' value='0'/></bsdf>" +
            "<emitter type='area'><rgb name='radiance' value='" + std::to_string(radiance) +
@@ -193,7 +193,7 @@ TEST_P(NullEventsOf, LampsBeyondWhatCountsAreSeenPastHiddenOnesByAnyMethod) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, NullEventsOf, ::testing::ValuesIn(test::methods_but({})),
-                         [](const auto& info) { return test::name_for_tests(info.param); });
+                         [](const auto& one) { return test::name_for_tests(one.param); });
 
 struct Hidden {
   const char* integrator;
@@ -202,7 +202,7 @@ struct Hidden {
 };
 
 /// A lamp, a sky, and a pane before them, which does not count.
-TEST(HiddenEmitters, AreNotSeenBeyondWhatDoesNotCount) {
+TEST(HiddenEmitters, AreInvisibleBehindNullEvents) {
   const std::string lamp =
       "<shape type='sphere'><float name='radius' value='0.5'/><point name='center' x='0.3' y='0' "
       "z='0'/><emitter type='area'><rgb name='radiance' value='2'/></emitter></shape>";

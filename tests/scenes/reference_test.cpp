@@ -22,7 +22,7 @@ struct Reference {
   std::string scene;
   Vec2i resolution;
   int max_depth;
-  double tolerance;  ///< of the ratio of both pictures' means
+  double tolerance;  ///< tolerance of the ratio of both pictures' means
 };
 
 std::optional<Reference> find_reference(const std::filesystem::path& shared,
@@ -137,7 +137,7 @@ std::vector<Case> cases() {
       if (test::has_chains(method)) excused.emplace(method, "chains");
     }
     for (const std::string& method : test::methods_but(excused)) {
-      // A sample of bdpt is worth, and costs, more.
+      // A sample of bdpt has less variance, and costs more.
       const int samples = method == "bdpt" ? tried.samples / 2 : tried.samples;
       cases.push_back({tried.scene, method, samples, tried.power});
     }

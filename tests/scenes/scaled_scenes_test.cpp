@@ -15,7 +15,7 @@
 namespace ajar::test {
 namespace {
 
-/// The same scene `size` times as large, lit as before.
+/// Scales the scene by `size`, with equal lighting.
 void scale(desc::SceneDesc& scene, double size) {
   const Mat4 larger = testing::scaling(size, size, size);
   const auto factor = static_cast<float>(size);
@@ -78,7 +78,7 @@ double mean_of(const std::string& text) {
   return render(*scene_from(text), {.samples = 64, .max_depth = 8}).mean();
 }
 
-/// A table under a square lamp, and what stands on it: in files, each of its numbers is rounded.
+/// A table under a square lamp, and objects on it: in files, each of its numbers is rounded.
 std::string table(double size, double shift, const std::string& standing) {
   const auto numbers = [&](std::initializer_list<double> all) {
     std::string text;
@@ -134,12 +134,12 @@ std::vector<std::pair<std::string, std::string>> standing() {
   };
 }
 
-TEST(ScaledScenes, AreTheSameWhateverStandsInThem) {
+TEST(ScaledScenes, AreEqualWithAnyContent) {
   for (const auto& [name, text] : standing()) {
     SCOPED_TRACE(name);
     const double usual = mean_of(table(1.0, 0.0, text));
     ASSERT_GT(usual, 0.02);
-    // The same numbers of paths: what differs is roundings, and edges that samples fall on.
+    // Numbers of paths are equal: differences are roundings, and edges that samples fall on.
     for (const double size : {1e-7, 1e-5, 1e-3, 1e3, 1e5}) {
       EXPECT_NEAR(mean_of(table(size, 0.0, text)) / usual, 1.0, 0.01) << size;
     }
@@ -147,7 +147,7 @@ TEST(ScaledScenes, AreTheSameWhateverStandsInThem) {
   }
 }
 
-TEST(ScaledScenes, ThatAreTooSmallForTrianglesGetAWarning) {
+TEST(ScaledScenes, TooSmallOnesForTrianglesGetAWarning) {
   const auto warnings_of = [](double size) {
     Warnings warnings;
     const Scene scene(import_pbrt_text(table(size, 0.0, ""), "test.pbrt", ".", warnings), {},

@@ -4,9 +4,8 @@
 #include "support/render.h"
 #include "support/same_picture.h"
 
-/// What is kept for filters: of the light that chains make, another estimate
-/// (`LayerSpec::instead_of`), which they mix with theirs, and splats through boxes
-/// (`LayerSpec::box_of`).
+/// Layers for filters: another estimate of the light of chains (`LayerSpec::instead_of`), which
+/// they mix with the chains', and splats through boxes (`LayerSpec::box_of`).
 namespace ajar {
 namespace {
 
@@ -14,18 +13,16 @@ namespace {
 std::vector<std::string> methods_with_two_estimates() {
   const test::KnownPicture known = test::known_picture("GlassAndMetal", 8);
   std::vector<std::string> names;
-  for (const auto* list : {&integrators(), &integrator_presets()}) {
-    for (const IntegratorInfo& info : *list) {
-      test::RenderOptions options = known.options;
-      options.integrator = info.name;
-      options.for_filters = true;
-      const test::Render render = test::render(*known.scene, options);
-      const auto layers = render.film->layers();
-      const bool has_other = std::any_of(layers.begin(), layers.end(), [](const LayerSpec& layer) {
-        return !layer.instead_of.empty();
-      });
-      if (has_other) names.push_back(info.name);
-    }
+  for (const IntegratorInfo& info : integrators()) {
+    test::RenderOptions options = known.options;
+    options.integrator = info.name;
+    options.for_filters = true;
+    const test::Render render = test::render(*known.scene, options);
+    const auto layers = render.film->layers();
+    const bool has_other = std::any_of(layers.begin(), layers.end(), [](const LayerSpec& layer) {
+      return !layer.instead_of.empty();
+    });
+    if (has_other) names.push_back(info.name);
   }
   return names;
 }
@@ -53,8 +50,8 @@ TEST(OtherEstimates, HaveTheExpectationOfThePicture) {
   }
 }
 
-/// Splats through boxes: of methods that have nothing else, to rounding what the film of a box
-/// has. (Camera samples are drawn from the filter.)
+/// Splats through boxes: of methods that have nothing else, equal to the film of a box up to
+/// rounding. (Camera samples are drawn from the filter.)
 TEST(ForFilters, SplatsHaveBoxes) {
   const auto scene_with = [](const std::string& filter) {
     return test::scene_from(
@@ -87,7 +84,7 @@ TEST(ForFilters, SplatsHaveBoxes) {
   EXPECT_LT(off, 1e-4 * all);
 }
 
-/// It is beside the picture, not in it: to the bit what is rendered without.
+/// Other estimates are beside the picture: to the bit the picture without them.
 TEST(OtherEstimates, LeaveThePictureAsItWas) {
   const test::KnownPicture known = test::known_picture("GlassAndMetal", 16);
   test::RenderOptions options = known.options;

@@ -17,8 +17,8 @@
 #include "support/small_scenes.h"
 #include "transport/sources.h"
 
-/// What chains of explicit paths make of a path: the sum over all techniques of what each of them
-/// leaves, by an image of thresholds and weights.
+/// Part of a path that chains of explicit paths make: the sum over all techniques of the parts that
+/// each leaves, by an image of thresholds and weights.
 namespace ajar {
 namespace {
 
@@ -65,8 +65,8 @@ std::vector<Found> found_in(const Scene& scene, const PathSamplerSettings& setti
 /// Another one in every pixel, some of them 0.
 Division random_division(const Box2i& crop, const ImportanceMap& importance) {
   const Vec2i size = crop.size() + Vec2i(1, 1);
-  std::vector<PixelShare> shares(static_cast<std::size_t>(size.x) *
-                                 static_cast<std::size_t>(size.y));
+  std::vector<PixelDivision> shares(static_cast<std::size_t>(size.x) *
+                                    static_cast<std::size_t>(size.y));
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const auto number = [&](std::uint64_t n) {
       return static_cast<float>(to_unit_double(hash_numbers(11, i, n)));
@@ -79,7 +79,7 @@ Division random_division(const Box2i& crop, const ImportanceMap& importance) {
 
 double slow_share(const Scene& scene, const PathSamplerSettings& settings, const Path& path,
                   const Division& division) {
-  const PixelShare& share = division.at(path.raster);
+  const PixelDivision& share = division.at(path.raster);
   double sum = 0.0;
   for (int s = 0; s <= path.depth(); ++s) {
     const Technique technique{s, path.depth() + 1 - s};
@@ -123,12 +123,12 @@ TEST_P(PathShareOf, IsTheSumOverAllTechniques) {
         const double slow = slow_share(*scene, settings, path, division);
         ASSERT_NEAR(share.part(path, log_light), slow, 1e-4 * slow + 1e-12);
         ASSERT_NEAR(whole.part(path, log_light), 1.0, 1e-9);
-        // A path is of one class or the other, whoever looks.
+        // The class of a path is independent of the chain that asks.
         ASSERT_NEAR(hit.part(path, log_light), hit_only ? 1.0 : 0.0, 1e-9);
         ASSERT_NEAR(connectible.part(path, log_light), hit_only ? 0.0 : 1.0, 1e-9);
         ASSERT_TRUE(!hit_only || technique.s == 0);
         hit_only_ones += hit_only ? 1 : 0;
-        // And what the technique that found it leaves is one of the terms.
+        // The remainder of the technique that found it is one of the terms.
         const double own = parts.of(path, log_light)[static_cast<std::size_t>(technique.s)].light;
         if (!(std::abs(own - light) <= 0.01 * light)) ++different;
         if (slow > 0.0 && slow < 0.99 * static_cast<double>(division.at(path.raster).target)) {
@@ -146,7 +146,7 @@ TEST_P(PathShareOf, IsTheSumOverAllTechniques) {
   }
 }
 
-/// What a state of numbers brings is of one class of paths or the other.
+/// Light of a state of numbers belongs to one of two classes of paths.
 TEST(PathClasses, MakeAllOfAStateTogether) {
   const auto scene = test::scene_from(test::small_scene("Environment").text);
   const Vec2i size = scene->camera().resolution();

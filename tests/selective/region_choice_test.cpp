@@ -6,13 +6,13 @@
 #include <random>
 #include <vector>
 
-#include "integrator/selective/chain_share.h"
+#include "integrator/selective/chain_fraction.h"
 #include "integrator/selective/heuristics.h"
 #include "integrator/selective/weighted_errors.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
-/// What a few samples of a pilot may decide.
+/// Decisions from the few samples of a pilot.
 namespace ajar {
 namespace {
 
@@ -26,28 +26,35 @@ class RegionChoiceTest : public ::testing::Test {
   RegionChoiceTest()
       : scene_(test::scene_from(test::small_scene("Room").text)),
         settings_(test::settings_of(*scene_, {.replicates = 2, .max_depth = 6})),
-        plan_(ChainKind::OnePath, *scene_, settings_,
-              Parameters(chain_parameters(ChainKind::OnePath), {}), SelectiveSettings{}) {
-    plan_.brightness = kBrightness;
-    plan_.divisions.emplace(Division(0.0, plan_.view.importance));
-    omc_ = plan_.make_omc(settings_, plan_.omc_depths(), {.divisions = &*plan_.divisions});
+        prepared_(config()) {
+    prepared_.brightness = kBrightness;
+    prepared_.divisions.emplace(Division(0.0, prepared_.view.importance));
+    omc_ = prepared_.make_omc(prepared_.techniques.omc, settings_,
+                              {.divisions = &*prepared_.divisions});
     film_ = std::make_unique<Film>(settings_.resolution, settings_.crop, Filter::box(), 2,
                                    omc_->layers());
     const Vec2i size = settings_.crop.size() + Vec2i(1, 1);
-    regions_ = connected_regions(size, std::vector<PixelIdentity>(plan_.pixels()));
+    prepared_.surfaces.regions =
+        connected_regions(size, std::vector<PixelIdentity>(prepared_.pixels()));
     std::mt19937 random(5);
     std::exponential_distribution<float> light(1.F / static_cast<float>(kBrightness));
-    for (std::uint64_t i = 0; i < plan_.pixels() * kSamples; ++i) {
+    for (std::uint64_t i = 0; i < prepared_.pixels() * kSamples; ++i) {
       found_.push_back(path(i, light(random)));
       film_->splat(film_->layer(kWeakLayer), static_cast<int>(i % 2), found_.back().raster,
                    Spectrum(light(random)));
     }
   }
 
-  /// The only one of its sample.
-  FoundLight path(std::uint64_t sample, float energy) const {
+  SelectiveConfig config() const {
+    return {
+        *scene_, settings_,
+        Parameters(SelectiveConfig::parameters(), {{"chain", "mmlt"}, {"importance", "uniform"}})};
+  }
+
+  /// The only path of its sample.
+  PilotPath path(std::uint64_t sample, float energy) const {
     const std::uint64_t pixel = sample / kSamples;
-    const auto width = static_cast<std::uint64_t>(regions_.size.x);
+    const auto width = static_cast<std::uint64_t>(prepared_.surfaces.regions.size.x);
     return {.sample = sample,
             .raster = Vec2(static_cast<float>(pixel % width) + 0.5F,
                            static_cast<float>(pixel / width) + 0.5F),
@@ -61,29 +68,27 @@ class RegionChoiceTest : public ::testing::Test {
   }
 
   PilotView view(double correlation) const {
-    return {plan_, regions_, *film_, *omc_, kSamples, 10.0, found_, {0, 1}, correlation};
+    return {prepared_, *film_, *omc_, kSamples, 10.0, found_, {0, 1}, correlation};
   }
   RegionChoice choose(double correlation) const { return choose_regions(view(correlation)); }
   /// T of the first region.
   double threshold(double correlation) const {
-    return static_cast<double>(choose(correlation).shares.front().threshold);
+    return static_cast<double>(choose(correlation).regions.front().threshold);
   }
 
   std::unique_ptr<Scene> scene_;
   RenderSettings settings_;
-  ChainPlan plan_;
+  SelectivePreparation prepared_;
   std::unique_ptr<Integrator> omc_;
   std::unique_ptr<Film> film_;
-  Regions regions_;
-  std::vector<FoundLight> found_;
+  std::vector<PilotPath> found_;
 };
 
-/// What the user is told of a picture.
 TEST_F(RegionChoiceTest, AFireflyIsDifficultLightInItsCellAlone) {
-  const Vec2i cells = (regions_.size + Vec2i(15, 15)) / 16;
+  const Vec2i cells = (prepared_.surfaces.regions.size + Vec2i(15, 15)) / 16;
   const double of_cell = 1.0 / (cells.x * cells.y);
   const auto share = [&](double threshold) {
-    return chain_share(view(10.0), Divisions(Division(threshold, plan_.view.importance)));
+    return chain_fraction(view(10.0), Divisions(Division(threshold, prepared_.view.importance)));
   };
   // Found light that is not on the film: about half of all, to which T leaves some.
   EXPECT_GT(share(0.1), share(3.0));
@@ -99,19 +104,19 @@ TEST_F(RegionChoiceTest, AFireflyIsDifficultLightInItsCellAlone) {
 TEST_F(RegionChoiceTest, NoSingleSampleTurnsTheDecision) {
   constexpr double kBad = 300.0;
   const RegionChoice before = choose(kBad);
-  ASSERT_TRUE(before.off);
-  for (FoundLight& light : found_) {
-    const FoundLight usual = light;
+  ASSERT_TRUE(before.fireflies_only);
+  for (PilotPath& light : found_) {
+    const PilotPath usual = light;
     light = path(light.sample, 1e6F);
     const RegionChoice after = choose(kBad);
-    EXPECT_NEAR(after.shares.front().threshold, before.shares.front().threshold, 1e-3)
+    EXPECT_NEAR(after.regions.front().threshold, before.regions.front().threshold, 1e-3)
         << "sample " << light.sample;
     light = usual;
     if (light.sample > 40) break;
   }
 }
 
-TEST_F(RegionChoiceTest, SeveralSamplesDo) {
+TEST_F(RegionChoiceTest, SeveralSamplesTurnTheDecision) {
   constexpr double kFair = 5.0;
   const double before = threshold(kFair);
   for (std::size_t i = 0; i < found_.size(); i += 49) found_[i] = path(i, 100.F);
@@ -135,30 +140,25 @@ TEST_F(RegionChoiceTest, ThresholdsRiseByDegreesAsChainsPayLess) {
   EXPECT_LT(steepest, 4.0) << "as far as one candidate is from the next";
 }
 
-/// That a pilot predicts a little less error is no reason, in the raw picture either: on some
-/// scenes it is the pilot's noise that says so.
+/// A little less predicted error is no reason: on some scenes it is the pilot's noise.
 TEST_F(RegionChoiceTest, ChainsStandByUnlessTheyClearlyPay) {
   using Heuristics = SelectiveHeuristics;
   for (std::size_t i = 0; i < found_.size(); i += 19) found_[i] = path(i, 30.F);
-  for (const auto objective :
-       {SelectiveSettings::Objective::Filtered, SelectiveSettings::Objective::Raw}) {
-    plan_.selective->objective = objective;
-    int cases_that_hardly_pay = 0;
-    int cases_that_clearly_pay = 0;
-    for (double correlation = 1.0; correlation < 10.0; correlation *= 1.1) {
-      const RegionChoice choice = choose(correlation);
-      const float threshold = choice.shares.front().threshold;
-      if (choice.expected_error >= Heuristics::kClearGain) {
-        cases_that_hardly_pay += choice.expected_error < 1.0 ? 1 : 0;
-        EXPECT_GT(threshold, 90.F) << choice.expected_error;
-      } else if (choice.expected_error < Heuristics::kClearGain - Heuristics::kDoubtfulGains) {
-        ++cases_that_clearly_pay;
-        EXPECT_LT(threshold, 5.F) << choice.expected_error;
-      }
+  int cases_that_hardly_pay = 0;
+  int cases_that_clearly_pay = 0;
+  for (double correlation = 1.0; correlation < 10.0; correlation *= 1.1) {
+    const RegionChoice choice = choose(correlation);
+    const float threshold = choice.regions.front().threshold;
+    if (choice.expected_error >= Heuristics::kClearGain) {
+      cases_that_hardly_pay += choice.expected_error < 1.0 ? 1 : 0;
+      EXPECT_GT(threshold, 90.F) << choice.expected_error;
+    } else if (choice.expected_error < Heuristics::kClearGain - Heuristics::kDoubtfulGains) {
+      ++cases_that_clearly_pay;
+      EXPECT_LT(threshold, 5.F) << choice.expected_error;
     }
-    EXPECT_GE(cases_that_hardly_pay, 3);
-    EXPECT_GE(cases_that_clearly_pay, 3);
   }
+  EXPECT_GE(cases_that_hardly_pay, 3);
+  EXPECT_GE(cases_that_clearly_pay, 3);
 }
 
 }  // namespace

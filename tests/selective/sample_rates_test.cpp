@@ -35,24 +35,25 @@ std::vector<double> random_errors(const Film& film, std::uint64_t seed) {
 }
 
 /// Finds strong paths, some of them by lot, and puts them back on the film.
-class HandedBack final : public StrongPathSinks {
+class HandedBack final : public OutlierSinkFactory {
  public:
-  std::unique_ptr<StrongPathSink> make(Film& /*film*/, Counters& /*counters*/) const override {
+  std::unique_ptr<OutlierSink> make(Film& /*film*/, Counters& /*counters*/) const override {
     return std::make_unique<Sink>();
   }
 
  private:
-  class Sink final : public StrongPathSink {
+  class Sink final : public OutlierSink {
    public:
-    double grain() const override { return 0.01; }
-    bool spread(SampleSource& /*numbers*/, StrongPath& /*path*/) override { return false; }
+    double threshold() const override { return 0.01; }
+    bool spread(SampleSource& /*numbers*/, OutlierPath& /*path*/) override { return false; }
   };
 };
 
-/// Ordinary Monte Carlo with rates that are random, and change once, and random guesses.
+/// Ordinary Monte Carlo with rates that are random, and change once, and random control variates.
 test::Render render_with_random_rates(const Scene& scene, const test::RenderOptions& options,
                                       const std::string& techniques, SampleRates& rates,
-                                      const Divisions* divisions, const StrongPathSinks* strong) {
+                                      const Divisions* divisions,
+                                      const OutlierSinkFactory* strong) {
   const auto change = static_cast<std::uint64_t>(options.samples) / 4;
   return test::render_with(
       make_path_integrator(scene, test::settings_of(scene, options),
@@ -88,7 +89,7 @@ TEST(SampleRates, ChangeNoExpectation) {
   }
 }
 
-/// Of the pixels of three renders, and how many camera samples these took.
+/// Error of the pixels of three renders, and their number of camera samples.
 struct ErrorAndSamples {
   double error = 0.0;
   std::uint64_t samples = 0;

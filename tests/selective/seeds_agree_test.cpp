@@ -8,8 +8,8 @@
 #include "image/metrics.h"
 #include "support/render.h"
 
-/// No seed is to be unlucky: what a path brings that was found once must not outshine what others
-/// know of the light around it. studies/seeds-agree.json asks the same of more seeds and scenes.
+/// No seed is to be unlucky: a path that was found once must not outshine the light around it.
+/// studies/seeds-agree.json tests more seeds and scenes.
 namespace ajar {
 namespace {
 
@@ -26,8 +26,8 @@ Pixels mean_of_others(const std::vector<Pixels>& pictures, std::size_t but) {
 }
 
 /// Chains that lead to the torus by the rounded edges of the glass are found once in thousands of
-/// guesses. As seeds that count for as many, they left a glowing streak on it in one seed of these
-/// eight, with nine times the error of the others.
+/// guesses. As seeds of that weight, they left a glowing streak on it in one seed of these eight,
+/// with nine times the error of the others.
 TEST(SeedsOfSelective, AgreeAboutLightThroughTheEdgesOfGlass) {
   constexpr std::uint64_t kFirst = 9;
   constexpr std::size_t kSeeds = 8;

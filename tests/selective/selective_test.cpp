@@ -23,8 +23,8 @@
 #include "support/stripes.h"
 #include "support/temporary_file.h"
 
-/// The maps of `selective`. That all of its modes have the expectation of bidirectional path
-/// tracing is tested with other chains (chain_agreement_test.cpp).
+/// The maps of `selective`. The expectation of all of its modes is compared with that of other
+/// chains in chain_agreement_test.cpp.
 namespace ajar {
 namespace {
 
@@ -85,25 +85,19 @@ TEST(Selective, HasTheSameExpectationForAnyMap) {
       return u < 0.33F ? 0.F : u > 0.67F ? 1.F : u;
     });
     std::vector<std::map<std::string, std::string>> settings;
-    for (const char* omc : {"bdpt", "ibpt"}) {
-      settings.push_back(
-          {{"omc", omc}, {"regions", map.path()}, {"split", "0.5"}, {"bootstrap", "120000"}});
+    for (const char* techniques : {"bdpt", "ibpt"}) {
+      settings.push_back({{"techniques", techniques}, {"regions", map.path()}, {"split", "0.5"}});
     }
     expect_same_as_bdpt(*scene, options_for_maps(), settings, name);
   }
 }
 
-/// Pairs of methods whose chains are of explicit paths: with the same techniques light is divided
-/// path by path, with others by regions alone.
-std::vector<std::map<std::string, std::string>> pairs_with_paths() {
-  return {{{"omc", "bdpt"}, {"split", "0.5"}},
-          {{"omc", "ibpt"}, {"techniques", "ibpt"}, {"split", "0.3"}},
-          {{"omc", "pt"}, {"techniques", "pt"}, {"split", "0.5"}},
-          {{"omc", "bdpt"}, {"light-paths-per-pixel", "3"}, {"split", "0.2"}},
-          {{"omc", "ibpt"}, {"chain", "erpt"}, {"split", "0.3"}},
-          {{"omc", "bdpt"}, {"chain", "erpt"}, {"split", "0.5"}},
-          {{"omc", "pt"}, {"bootstrap", "120000"}},
-          {{"omc", "ibpt"}, {"bootstrap", "120000"}}};
+/// Settings with chains of explicit paths.
+std::vector<std::map<std::string, std::string>> settings_with_paths() {
+  return {{{"techniques", "bdpt"}, {"split", "0.5"}},
+          {{"techniques", "ibpt"}, {"split", "0.3"}},
+          {{"techniques", "pt"}, {"split", "0.5"}},
+          {{"techniques", "bdpt"}, {"light-paths-per-pixel", "3"}, {"split", "0.2"}}};
 }
 
 TEST(Selective, HasTheSameExpectationForAnyMapWithChainsOfPaths) {
@@ -122,7 +116,7 @@ TEST(Selective, HasTheSameExpectationForAnyMapWithChainsOfPaths) {
     const TemporaryFile binary("binary.pfm");
     write_map(binary.path(), size,
               [&](std::uint64_t i) { return i % width < width / 2 ? 1.F : 0.F; });
-    std::vector<std::map<std::string, std::string>> settings = pairs_with_paths();
+    std::vector<std::map<std::string, std::string>> settings = settings_with_paths();
     for (std::size_t i = 0; i < settings.size(); ++i) {
       // Each pair has both of them in one scene or another.
       const TemporaryFile& map = (i % 2 == 0) == first_is_random ? random : binary;
@@ -131,46 +125,6 @@ TEST(Selective, HasTheSameExpectationForAnyMapWithChainsOfPaths) {
     first_is_random = !first_is_random;
     expect_same_as_bdpt(*scene, options_for_maps(), settings, name);
   }
-}
-
-// Chains have less than all of the light of each pixel in their target, and the picture takes all
-// of it from them, or nothing.
-TEST(Selective, HasTheSameExpectationWherePixelsAreOfOneMethodAlone) {
-  const auto scene = small_scene("Room");
-  const TemporaryFile low("low.pfm");
-  const TemporaryFile high("high.pfm");
-  write_map(low.path(), scene->camera().resolution(), [](std::uint64_t) { return 0.3F; });
-  write_map(high.path(), scene->camera().resolution(), [](std::uint64_t) { return 0.6F; });
-  std::vector<std::map<std::string, std::string>> settings;
-  for (const TemporaryFile* map : {&low, &high}) {
-    for (const char* chain : {"mmlt", "mlt"}) {
-      settings.push_back({{"choice", "exclusive"},
-                          {"omc", "bdpt"},
-                          {"chain", chain},
-                          {"regions", map->path()},
-                          {"bootstrap", "120000"}});
-    }
-  }
-  expect_same_as_bdpt(*scene, options_for_maps(), settings, "exclusive");
-}
-
-/// Light that few samples find, on many things: a small lamp in a glass ball above a field of
-/// balls.
-std::unique_ptr<Scene> scene_of_fireflies() {
-  std::string world =
-      "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [400 400 400] Translate 0 1.6 0 Shape "
-      "\"sphere\" \"float radius\" [0.05] AttributeEnd\n"
-      "AttributeBegin Material \"glass\" Translate 0 1.6 0 Shape \"sphere\" \"float radius\" "
-      "[0.3] AttributeEnd\nMaterial \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n";
-  for (int row = 0; row < 6; ++row) {
-    for (int column = 0; column < 8; ++column) {
-      world += "AttributeBegin Translate " + std::to_string(0.5 * column - 1.75) + " 0 " +
-               std::to_string(0.5 * row - 1.25) +
-               " Shape \"sphere\" \"float radius\" [0.25] AttributeEnd\n";
-    }
-  }
-  return test::scene_from(test::pbrt_scene(
-      "LookAt 0 5 0  0 0 0  0 0 1 Camera \"perspective\" \"float fov\" [35]", 24, 18, world));
 }
 
 /// Means of the picture over independent renders.
@@ -205,10 +159,10 @@ MeanAndError truth_of(const Scene& scene, test::RenderOptions options) {
   return summary(means(scene, options, 8));
 }
 
-// Pixels that show two objects count as one of them, whatever the picture's own samples see there:
+// Pixels that show two objects count as one of them, independently of the picture's own samples:
 // when those voted, the ones that saw the brighter object were weighed by its map, and the picture
 // was 0.11 too bright.
-TEST(Selective, RegionsDoNotFollowFromSamplesThatStay) {
+TEST(Selective, RegionsAreIndependentOfKeptSamples) {
   const auto scene = test::stripes(
       16, 12,
       "LightSource \"point\" \"point from\" [0 12 -6] \"rgb I\" [100 100 100]\n"
@@ -237,7 +191,7 @@ std::string quad(const std::string& points) {
   return "Shape \"trianglemesh\" \"point P\" [" + points + "] \"integer indices\" [0 2 1 0 3 2]\n";
 }
 
-/// Two boxes without lids, side by side, in the left one a wide lamp; and what else there is.
+/// Two boxes without lids, side by side, in the left one a wide lamp; and `rest`.
 std::unique_ptr<Scene> scene_of_two_boxes(const std::string& lamps, const std::string& rest) {
   return test::scene_from(test::pbrt_scene(
       "LookAt 0 3.5 -4.5  0 0.3 0.4  0 1 0 Camera \"perspective\" \"float fov\" [40]", 24, 12,
@@ -268,8 +222,8 @@ std::pair<double, double> halves_of(const test::Render& render) {
 }
 
 // b comes from independent samples, so chains with a wrong part of each path only move light about.
-// Few long chains have time to. With what rays into the lamp leave alone, or with their strength
-// for all techniques, a fifth of the light went from the right half of the picture to the left.
+// With what rays into the lamp leave alone, or with their strength for all techniques, a fifth of
+// the light went from the right half of the picture to the left.
 TEST(Selective, LeavesLightWhereItIsWhicheverTechniquesFindIt) {
   const auto scene = scene_of_two_lamps();
   test::RenderOptions options;
@@ -280,10 +234,10 @@ TEST(Selective, LeavesLightWhereItIsWhicheverTechniquesFindIt) {
   options.integrator = "bdpt";
   const auto [left, right] = halves_of(test::render(*scene, options));
   options.samples = 64;
-  options.integrator = "mmlt+";
+  options.integrator = "selective";
   for (const char* split : {"0.3", "3"}) {
-    options.parameters = {{"chain", "mlt"}, {"techniques", "pt"},      {"split", split},
-                          {"chains", "8"},  {"importance", "uniform"}, {"omc-samples", "0.125"}};
+    options.parameters = {
+        {"chain", "mlt"}, {"techniques", "pt"}, {"split", split}, {"importance", "uniform"}};
     std::vector<double> shares;
     for (std::uint64_t i = 0; i < 24; ++i) {
       options.seed = 300 + i;
@@ -322,9 +276,8 @@ OfHalves halves_of_seeds(const Scene& scene, test::RenderOptions options, std::u
   return {summary(lefts), summary(rights)};
 }
 
-// Whatever kind of chain makes which paths: none is made twice, and none is left out. A tenth of
-// either half would show.
-TEST(Selective, SharesPathsAmongChainsByWhatTheyAreLike) {
+// Classes of chains partition the paths: none is made twice, and none is left out.
+TEST(Selective, DividesPathsAmongChainsByTheirClass) {
   const auto scene = scene_of_panes();
   test::RenderOptions options;
   options.min_depth = 4;
@@ -336,7 +289,7 @@ TEST(Selective, SharesPathsAmongChainsByWhatTheyAreLike) {
   options.samples = 16;
   options.integrator = "selective";
   for (const char* chain : {"auto", "mmlt"}) {
-    options.parameters = {{"chain", chain}, {"omc", "bdpt"}, {"split", "0.05"}};
+    options.parameters = {{"chain", chain}, {"techniques", "bdpt"}, {"split", "0.05"}};
     const OfHalves own = halves_of_seeds(*scene, options, 24);
     for (const auto& [mine, right] :
          {std::pair(own.left, truth.left), std::pair(own.right, truth.right)}) {
@@ -356,7 +309,7 @@ TEST(Selective, MovesEachKindOfChainByItsOwnMoves) {
   options.samples = 8;
   options.replicates = 4;
   options.integrator = "selective";
-  options.parameters = {{"omc", "bdpt"}, {"split", "0.05"}};
+  options.parameters = {{"techniques", "bdpt"}, {"split", "0.05"}};
   const MethodReport report = test::render(*scene, options).integrator->report();
   std::set<std::string> moves;
   for (const auto& move : report["acceptance"]["by_move"]) moves.insert(move["move"]);
@@ -366,38 +319,15 @@ TEST(Selective, MovesEachKindOfChainByItsOwnMoves) {
   EXPECT_FALSE(moves.contains("caustic")) << "paths that no connection makes have no such form";
 }
 
-TEST(Selective, IsBiasedByAPilotThatIsKeptOnly) {
-  const auto scene = scene_of_fireflies();
-  test::RenderOptions options;
-  options.max_depth = 5;
-  const MeanAndError truth = truth_of(*scene, options);
-  options.replicates = 4;
-  options.samples = 4;
-  options.integrator = "selective";
-  const auto z_of = [&](const std::string& pilot) {
-    // Few techniques, so that it is mostly fireflies that tell the map anything.
-    options.parameters = {
-        {"omc", "pt"},           {"techniques", "bdpt"}, {"map", "binary"},        {"pilot", pilot},
-        {"pilot-samples", "16"}, {"bootstrap", "20000"}, {"importance", "uniform"}};
-    const MeanAndError own = summary(means(*scene, options, 80));
-    EXPECT_LT(5.0 * own.error, 0.25 * truth.mean) << pilot << ": too noisy to notice a bias";
-    return (own.mean - truth.mean) / std::hypot(own.error, truth.error);
-  };
-  EXPECT_LT(std::abs(z_of("cross")), 5.0);
-  EXPECT_LT(std::abs(z_of("discard")), 5.0);
-  EXPECT_LT(z_of("keep"), -5.0) << "where the pilot found no light, it stays dark";
-}
-
-TEST(Split, FoundOutByAPilotChangesNoExpectation) {
+TEST(Selective, HasTheSameExpectationWithAndWithoutTheSamplesOfThePilot) {
   const auto scene = small_scene("Room");
   test::RenderOptions options;
   options.max_depth = 5;
   const MeanAndError truth = truth_of(*scene, options);
   // As many samples of the pilot as of the render.
   options.samples = 4;
-  options.integrator = "mmlt+";
-  options.parameters = {{"bootstrap", "2000"}};
-  // The pilot stays from four replicates on.
+  options.integrator = "selective";
+  // The pilot is kept from four replicates on.
   for (const int replicates : {1, 2, 4}) {
     options.replicates = replicates;
     const MeanAndError own = summary(means(*scene, options, 60));
@@ -405,38 +335,6 @@ TEST(Split, FoundOutByAPilotChangesNoExpectation) {
     EXPECT_LT(std::abs(own.mean - truth.mean), 5.0 * std::hypot(own.error, truth.error))
         << replicates << " replicates";
   }
-}
-
-TEST(Selective, TakesPresetsAndEveryMutation) {
-  const auto scene = small_scene("Room");
-  test::RenderOptions options = selective_options(32);
-  options.max_depth = 4;
-  const std::vector<std::map<std::string, std::string>> settings = {
-      {{"preset", "published"}},
-      {{"preset", "published"}, {"omc", "lt"}},
-      {{"preset", "published"}, {"omc", "pt"}, {"chain", "mlt"}},
-      {{"chain", "erpt"}, {"caustic", "0.5"}, {"split", "0.3"}},
-      {{"preset", "lambertian-out"}, {"omc", "lt"}},
-      {{"mutation", "kelemen"}},
-      {{"mutation", "fusion"}},
-      {{"step", "adaptive"}}};
-  for (const auto& one : settings) {
-    options.parameters = one;
-    const test::Render render = test::render(*scene, options);
-    EXPECT_GT(render.counters.mutations, 0U) << one.begin()->second;
-    EXPECT_TRUE(render.integrator->report().contains("selective")) << one.begin()->second;
-  }
-  options.parameters = {{"mutation", "kelemen"}, {"fine-steps", "0.1"}};
-  EXPECT_THROW(test::render(*scene, options), UsageError);
-  // Of other chains.
-  options.parameters = {{"chain", "mlt"}, {"large-step", "0.2"}};
-  EXPECT_THROW(test::render(*scene, options), UsageError);
-  options.parameters = {{"chain", "erpt"}, {"techniques", "bdpt"}, {"omc", "pt"}};
-  EXPECT_THROW(test::render(*scene, options), UsageError) << "nothing starts its chains";
-  options.parameters = {{"chain", "erpt"}, {"split", "0"}};
-  EXPECT_THROW(test::render(*scene, options), UsageError) << "nothing starts its chains";
-  options.parameters = {{"chain", "mmlt"}, {"caustic", "0"}};
-  EXPECT_THROW(test::render(*scene, options), UsageError);
 }
 
 TEST(Selective, ShowsItsMaps) {
@@ -470,14 +368,14 @@ TEST(Selective, TakesTheUsersRules) {
   const TemporaryFile rules("rules.txt");
   std::ofstream(rules.path()) << "object * omc\nmaterial material-2 0.25\n";
   test::RenderOptions options = selective_options(4);
-  options.parameters = {{"regions", rules.path()}, {"epsilon", "0.125"}};
+  options.parameters = {{"regions", rules.path()}};
   const MethodReport report = test::render(*scene, options).integrator->report().at("selective");
   std::size_t quarter = 0;
   for (const auto& region : report.at("regions")) {
     if (region.at("object") == "") continue;
     const bool named = region.at("material") == "material-2";
     quarter += named ? 1 : 0;
-    EXPECT_EQ(region.at("importance"), named ? 0.25 : 0.125) << region.at("material");
+    EXPECT_EQ(region.at("importance"), named ? 0.25 : 0.0) << region.at("material");
   }
   EXPECT_GT(quarter, 0U);
   std::ofstream(rules.path()) << "material chrome chain\n";
@@ -489,7 +387,7 @@ TEST(Selective, TakesTheUsersRules) {
   }
 }
 
-TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
+TEST(Selective, UpdatesThePriceOfRaysFromItsSamples) {
   const auto scene = small_scene("Room");
   const auto price_after = [&](std::uint64_t samples) {
     test::RenderOptions options = selective_options(samples);
@@ -505,16 +403,6 @@ TEST(Selective, FindsThePriceOfRaysAgainFromWhatItHasRendered) {
   EXPECT_LT(later, 10.0 * of_pilot);
 }
 
-/// As rules have it.
-TEST(Selective, LeavesPixelsThatAreHalfOfEachMethodToMonteCarlo) {
-  const auto scene = small_scene("Room");
-  const TemporaryFile map("half.pfm");
-  write_map(map.path(), scene->camera().resolution(), [](std::uint64_t) { return 0.5F; });
-  const test::Render render =
-      prepared_render(*scene, 1, {{"choice", "exclusive"}, {"regions", map.path()}});
-  EXPECT_EQ(render.counters.mutations, 0U);
-}
-
 /// A map without chains takes none, and tells what it is.
 TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
   const auto scene = small_scene("GlassAndMetal");
@@ -522,8 +410,7 @@ TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
   using Settings = std::map<std::string, std::string>;
   for (const float weight : {0.F, 1.F}) {
     write_map(map.path(), scene->camera().resolution(), [&](std::uint64_t) { return weight; });
-    for (const Settings& more : {Settings{{"split", "0"}}, Settings{{"split", "0.1"}},
-                                 Settings{{"choice", "exclusive"}}}) {
+    for (const Settings& more : {Settings{{"chain", "mlt"}}, Settings{{"split", "0.1"}}}) {
       Settings settings = more;
       settings["regions"] = map.path();
       const test::Render render = prepared_render(*scene, 1, settings);
@@ -534,10 +421,8 @@ TEST(Selective, TakesNoChainsWhereTheUserWantsNone) {
       const MethodReport report = render.integrator->report().at("selective");
       EXPECT_TRUE(report.at("correlation").is_null()) << "nothing has told yet";
       EXPECT_TRUE(report.at("chains").at("squared_error_share").is_null());
-      if (more.begin()->second == "0.1") continue;
-      for (const auto& region : report.at("regions")) {
-        EXPECT_EQ(region.at("importance"), weight);
-      }
+      if (weight > 0.F) continue;
+      for (const auto& region : report.at("regions")) EXPECT_EQ(region.at("importance"), 0.0);
     }
   }
 }

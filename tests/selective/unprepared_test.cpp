@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numeric>
 
 #include "session/job/preparation.h"
@@ -15,7 +14,7 @@ namespace {
 struct Case {
   std::string integrator;
   std::map<std::string, std::string> parameters;
-  int rounds;  ///< that are run before, of those there are
+  int rounds;  ///< rounds that are run before the skip
 };
 
 int rounds_of(const Scene& scene, const test::RenderOptions& options) {
@@ -27,8 +26,7 @@ int rounds_of(const Scene& scene, const test::RenderOptions& options) {
   return static_cast<int>(preparation.rounds());
 }
 
-/// Chains that could not be prepared leave the whole picture to ordinary Monte Carlo, whatever
-/// they would have made.
+/// Chains that could not be prepared leave the whole picture to ordinary Monte Carlo, for any plan.
 TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
   const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
   test::RenderOptions options;
@@ -37,9 +35,6 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
   options.max_depth = 8;
   test::RenderOptions own_options = options;
   std::vector<Case> cases = {
-      {"mmlt+", {{"split", "0"}, {"omc-samples", "0.5"}}, 1},
-      {"mmlt+", {{"direct", "chain"}}, 1},
-      {"mmlt+", {{"direct", "none"}}, 0},
       {"selective", {{"techniques", "bdpt"}}, 1},
       {"selective", {{"pilot", "discard"}}, 1},
   };
@@ -59,7 +54,6 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
     const auto render = test::render(*scene, own);
     test::RenderOptions plain = options;
     plain.integrator = "bdpt";
-    if (c.parameters.contains("direct") && c.parameters.at("direct") == "none") plain.min_depth = 3;
     const std::vector<float> expected = test::render(*scene, plain).image();
     const std::vector<float> found = render.image();
     const float mean = std::accumulate(expected.begin(), expected.end(), 0.F) /
@@ -73,43 +67,6 @@ TEST(Unprepared, ChainsLeaveThePictureToBidirectionalPathTracing) {
     EXPECT_FALSE(render.integrator->keeps_state());
     EXPECT_EQ(render.integrator->findings().notes.size(), 1U);
   }
-}
-
-/// Once the pilot is over, nothing of it is thrown away: its samples are of the picture. (Chains
-/// that start from what it has found are prepared then.)
-TEST(Unprepared, KeepsThePilot) {
-  const auto scene = test::scene_from(test::small_scene("GlassAndMetal").text);
-  test::RenderOptions options;
-  options.integrator = "selective";
-  options.parameters = {{"chain", "pssmlt"}, {"omc", "bdpt"}};
-  options.samples = 16;
-  options.replicates = 4;
-  options.max_depth = 8;
-  test::RenderOptions plain = options;
-  plain.integrator = "bdpt";
-  plain.parameters.clear();
-  plain.samples = 1024;
-  const double truth = test::render(*scene, plain).mean();
-  test::RenderOptions own = options;
-  constexpr int kSeeds = 8;
-  double sum = 0.0;
-  double squares = 0.0;
-  std::uint64_t mutations = 0;
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    own.seed = static_cast<std::uint64_t>(seed);
-    own.skip_after.reset();
-    own.skip_after = rounds_of(*scene, own) - 1;
-    const auto render = test::render(*scene, own);
-    const double mean = render.mean() / truth;
-    sum += mean;
-    squares += mean * mean;
-    mutations += render.counters.mutations;
-  }
-  EXPECT_EQ(mutations, 0U);
-  const double mean = sum / kSeeds;
-  const double error = std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1));
-  EXPECT_NEAR(mean, 1.0, 4.0 * error);
-  EXPECT_LT(error, 0.02) << "four samples of 16, lost or counted twice, must be seen";
 }
 
 }  // namespace

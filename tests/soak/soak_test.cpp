@@ -108,7 +108,7 @@ TEST_P(Soak, KilledAHundredTimesARenderEndsWithTheSameBits) {
   };
 
   std::mt19937 random(5);
-  // How long renders live at most: longer after each that got nowhere, without a limit, since
+  // Longest life of a render: longer after each that made no progress, without a limit, since
   // machines may be slow or busy. Six of ten get somewhere then, wherever they run: 0.6 ln(7/8) +
   // 0.4 ln(10/8) = 0. Nor is a whole render ever waited for in vain: one that ends by itself got
   // somewhere.
@@ -132,7 +132,7 @@ TEST_P(Soak, KilledAHundredTimesARenderEndsWithTheSameBits) {
     if (WIFSIGNALED(status)) {
       ++killed;
     } else {
-      // It was faster this time: once more, from the beginning.
+      // The render finished: once more, from the beginning.
       expect_same();
       fs::remove(folder / "soak");
       samples = 0;

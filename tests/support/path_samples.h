@@ -13,14 +13,14 @@ namespace ajar::test {
 /// Edges of the paths below, at most.
 inline constexpr int kPathSampleDepth = 6;
 
-/// What mutations may make of them.
+/// Bounds for mutations of them.
 inline PathBounds path_sample_bounds(const Scene& scene) {
   return {{Vec2(0.F), Vec2(scene.camera().resolution())}, 1, kPathSampleDepth};
 }
 
 struct WeightedPath {
   Path path;
-  double weight;  ///< luminance of what it brings
+  double weight;  ///< luminance of its contribution
 };
 
 /// All paths of a sample of bidirectional path tracing.

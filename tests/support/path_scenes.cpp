@@ -46,8 +46,8 @@ Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer
 )");
 }
 
-/// A lens between a lamp and the floor, another one before the camera. What is
-/// seen through it has its light through the other.
+/// A lens between a lamp and the floor, another one before the camera. Each shows light through the
+/// other.
 std::string lenses() {
   return pbrt_scene(
       "LookAt 0 1.2 -3  0 0.1 0.2  0 1 0\nCamera "
@@ -70,9 +70,8 @@ AttributeEnd
 )");
 }
 
-/// What a strong lens makes of a lamp that shines on nothing else: light that
-/// no more than its direction tells from other light, in a spot that is bright
-/// in places.
+/// Light of a lamp through a strong lens, which shines on nothing else: only its direction tells it
+/// from other light, in a spot that is bright in places.
 const std::string kSpotOnGlass = R"(
 LightSource "spot" "point from" [0.1 2.3 0.2] "point to" [0 1.1 0.1] "rgb I" [8 7 6]
   "float coneangle" [22] "float conedeltaangle" [2]
@@ -185,8 +184,8 @@ Shape "sphere"
 )");
 }
 
-/// A ball of rough metal throws the light of a spot on a floor under water, whose surface
-/// refracts it smoothly, as it does what is seen.
+/// A ball of rough metal throws the light of a spot on a floor under water, whose surface refracts
+/// it smoothly, as it does the view.
 std::string gloss_over_water() {
   return pbrt_scene("LookAt 0 1.5 -0.6  0 0 0.1  0 1 0\nCamera \"perspective\" \"float fov\" [60]",
                     24, 16, R"(

@@ -115,7 +115,7 @@ Render render(const Scene& scene, const RenderOptions& options) {
 }
 
 namespace {
-/// Lets tests change things where integrators look at what they have done.
+/// Runs tests' changes between passes, where integrators adapt to their samples.
 class AtMilestones final : public PassObserver {
  public:
   AtMilestones(int replicates, const AfterPass& act)

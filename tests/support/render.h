@@ -48,12 +48,12 @@ struct RenderOptions {
   std::optional<Box2i> crop{};
   std::vector<std::string> aovs{};
   bool for_filters = false;
-  std::optional<int> skip_after{};  ///< so many rounds of the preparation, the rest of it
+  std::optional<int> skip_after{};  ///< skip after so many rounds of the preparation
 };
 RenderSettings settings_of(const Scene& scene, const RenderOptions& options);
 Render render(const Scene& scene, const RenderOptions& options);
 /// With an integrator of `settings_of(scene, options)` that is prepared. At each milestone but the
-/// end, `after_pass` is told the film and the samples that are on it.
+/// end, `after_pass` receives the film and the samples that are on it.
 using AfterPass = std::function<void(const Film& film, std::uint64_t samples)>;
 Render render_with(std::unique_ptr<Integrator> integrator, const Scene& scene,
                    const RenderOptions& options, const AfterPass& after_pass = {});

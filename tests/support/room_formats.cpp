@@ -47,7 +47,7 @@ const Vec3 kLampAt(0.3F, 0.6F, 0.7F);
 constexpr double kIntensity = 0.5;  ///< W/sr
 constexpr double kRoughness = 0.5;
 
-/// Of the width, degrees.
+/// Field of view across the width, degrees.
 double fov_of_width() {
   return 2.0 * std::atan(std::tan(kFov * M_PI / 360.0) * 4.0 / 3.0) * 180.0 / M_PI;
 }

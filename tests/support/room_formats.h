@@ -21,7 +21,7 @@ std::string write_mitsuba_room(const std::filesystem::path& folder, const std::s
 std::string write_tungsten_room(const std::filesystem::path& folder);
 /// Diffuse: without gloss.
 std::string write_gltf_room(const std::filesystem::path& folder);
-/// The same in one file, with the image inside as a JPEG, whose colors are not quite the same.
+/// The room in one file, with the image inside as a JPEG, whose colors are not quite the same.
 std::string write_glb_room(const std::filesystem::path& folder);
 
 }  // namespace ajar::test

@@ -10,10 +10,10 @@ namespace ajar::test {
 /// The replicates of a layer, or of the whole picture ("").
 Replicates replicates_of(const Render& render, const std::string& layer = "");
 
-/// A small scene and what it looks like, by `bdpt`.
+/// A small scene and its picture, by `bdpt`.
 struct KnownPicture {
   std::unique_ptr<Scene> scene;
-  RenderOptions options;  ///< of renders to compare with it: another seed
+  RenderOptions options;  ///< options for renders to compare with it: another seed
   Render truth;
 };
 KnownPicture known_picture(const std::string& small_scene, int samples);

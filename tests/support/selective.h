@@ -14,7 +14,7 @@ RenderOptions selective_options(std::uint64_t samples);
 /// A render that is hardly more than its preparation.
 Render prepared_render(const Scene& scene, std::uint64_t seed,
                        const std::map<std::string, std::string>& parameters);
-/// What it tells of itself.
+/// Report of a render by `selective`.
 MethodReport report_of(const Scene& scene, std::uint64_t seed,
                        const std::map<std::string, std::string>& parameters);
 

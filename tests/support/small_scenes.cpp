@@ -64,7 +64,7 @@ std::string smoke() {
          values + "]\n";
 }
 
-/// A cloud that turns from red to blue from left to right: what does not scatter absorbs.
+/// A cloud that turns from red to blue from left to right: the rest is absorption.
 std::string colored_smoke() {
   constexpr int kSide = 3;
   std::string absorption;

@@ -18,7 +18,7 @@ struct TinyPicture {
 
   /// Mean over the part of the picture between these shares of its width and height.
   Vec3 mean(float x0 = 0.F, float x1 = 1.F, float y0 = 0.F, float y1 = 1.F) const;
-  // Of the middles of its quarters.
+  // Means of the middles of its quarters.
   Vec3 upper_left() const { return mean(0.1F, 0.4F, 0.1F, 0.4F); }
   Vec3 upper_right() const { return mean(0.6F, 0.9F, 0.1F, 0.4F); }
   Vec3 lower_left() const { return mean(0.1F, 0.4F, 0.6F, 0.9F); }
@@ -35,11 +35,11 @@ TinyPicture picture_of(const Import& import, int samples, MayWarn may_warn = May
 /// Each lane within a share of what is expected.
 void expect_color(const Vec3& actual, const Vec3& expected, float relative = 1e-3F);
 
-/// That red, green, blue and white are at the upper left, the upper right, the lower left and the
+/// Expects red, green, blue and white at the upper left, the upper right, the lower left and the
 /// lower right.
 void expect_four_colors(const TinyPicture& picture);
 
-/// What `'` stands for in texts of tests is `"`.
+/// Replaces `'` in texts of tests by `"`.
 std::string with_quotes(std::string text);
 
 /// An image of 2×2 texels, linear floats: red and green above, blue and white below.
@@ -67,7 +67,7 @@ class CodedGray {
   int code_;
 };
 
-/// What a surface with the index n + ik reflects along its normal: Fresnel's equations.
+/// Reflectance of a surface with the index n + ik along its normal: Fresnel's equations.
 float normal_reflectance(float n, float k);
 
 }  // namespace ajar::test

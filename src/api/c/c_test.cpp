@@ -82,7 +82,7 @@ std::vector<float> rendered(const Scene& scene, const std::string& settings = kS
   return pixels_of(picture_of(render));
 }
 
-/// What a call that must fail says.
+/// Message of a call that must fail.
 std::string complaint(int code, int expected) {
   EXPECT_EQ(code, expected) << ajar_last_error();
   return code == AJAR_OK ? "" : ajar_last_error();
@@ -145,7 +145,7 @@ TEST(CFace, SaysWhatIsWrong) {
             std::string::npos);
   EXPECT_NE(refused("[1]").find("no JSON object"), std::string::npos);
   refused("{");
-  // What only the scene can tell comes later.
+  // Errors that need the scene come later.
   const Render wrong = started(scene, R"({"parameters": {"nothing": 1}})");
   EXPECT_NE(complaint(ajar_render_wait(wrong.get(), -1.0, nullptr), AJAR_USAGE).find("\"nothing\""),
             std::string::npos);

@@ -12,7 +12,7 @@
 #include "ajar/c.h"
 #include "core/error.h"
 
-/// What the handles of ajar/c.h point to, and how errors leave it.
+/// Objects behind the handles of ajar/c.h, and the exit of errors from it.
 struct ajar_scene {
   ajar::v0::Scene scene;
 };
@@ -32,8 +32,7 @@ class BackgroundRender {
   BackgroundRender(const BackgroundRender&) = delete;
   BackgroundRender& operator=(const BackgroundRender&) = delete;
 
-  /// Whether it has ended within so many seconds (below 0: whenever it does). Raises what it
-  /// raised.
+  /// True if it has ended within so many seconds (below 0: waits for the end). Raises its error.
   bool wait(double seconds);
   bool is_done() const;
   void stop() { render_.stop(); }

@@ -20,7 +20,7 @@
 
 #include "ajar/c.h"
 
-// Whatever a program in another language may hand over by mistake.
+// Arguments that a program in another language may pass by mistake.
 namespace {
 
 namespace fs = std::filesystem;
@@ -206,7 +206,7 @@ TEST(CFaceRefuses, NumbersBeyondTheBoundsOfTheCommandLine) {
       std::string text = "{\"" + name + "\": ";
       text += value;
       const std::string said = complaint_about(text + "}");
-      // These are told by what they name.
+      // Such messages name the value.
       const bool names_value = said.find('"') != std::string::npos;
       EXPECT_TRUE(said.starts_with(name) || names_value) << text << ": " << said;
     }

@@ -30,7 +30,7 @@ namespace {
 
 constexpr const char* kSceneHelp = "Scene file, or builtin:NAME (see: ajar list scenes)";
 
-/// What the program was asked to do.
+/// Parsed arguments of the program.
 struct Request {
   RenderArguments render;
   ResumeArguments resume;
@@ -380,7 +380,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-/// What other renderers call options of ours.
+/// Other renderers' names of our options.
 struct OtherName {
   std::string theirs;
   std::string ours;

@@ -93,7 +93,7 @@ int convert(const ConvertArguments& arguments);
 
 struct ListArguments {
   std::string kind;  ///< empty: all
-  std::string name;  ///< of an integrator, to see its parameters; empty: all
+  std::string name;  ///< name of an integrator, to see its parameters; empty: all
   bool json = false;
 };
 int list(const ListArguments& arguments);

@@ -2,7 +2,7 @@
 
 namespace ajar::cli {
 
-/// What `ajar` returns, beside the codes of errors (core/error.h).
+/// Exit codes of `ajar`, beside those of errors (core/error.h).
 inline constexpr int kExitFailedRuns = 1;
 inline constexpr int kExitScene = 3;
 inline constexpr int kExitFile = 4;

@@ -105,7 +105,7 @@ std::map<std::string, std::size_t> texture_counts(const desc::SceneDesc& scene) 
   return counts;
 }
 
-/// What only the description knows, before the scene takes it.
+/// Properties of the description, before the scene takes it.
 Json describe(const desc::SceneDesc& description, const std::string& name) {
   Json json;
   json["scene"] = name;
@@ -151,7 +151,7 @@ void add_built(const Scene& scene, Json& json) {
   json["hash"] = fmt::format("{:016x}", scene.hash());
 }
 
-/// Of rendering the picture that the file asks for with the layers that every method makes.
+/// Memory for rendering the picture that the file asks for with the layers that every method makes.
 MemoryEstimate memory_of(const desc::SceneDesc& description) {
   const Vec2i resolution = description.film.resolution;
   const Box2i whole(Vec2i(0, 0), resolution - Vec2i(1, 1));
@@ -177,7 +177,7 @@ std::string vector_text(const Json& v) {
                      v[2].get<double>());
 }
 
-/// What the picture lacks, counted by what that does to it.
+/// Warnings counted by their effect on the picture.
 Json effects_json(const Warnings& warnings) {
   Json json = Json::object();
   for (std::size_t i = 0; i < kEffects; ++i) {

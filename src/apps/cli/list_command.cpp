@@ -10,8 +10,7 @@ namespace ajar::cli {
 
 namespace {
 
-/// Whoever asks for `mlt` alone means the integrator: `list mlt` is `list integrators mlt`, if one
-/// kind has the name.
+/// `list mlt` is `list integrators mlt`, if one kind alone has the name.
 ListArguments with_kind(ListArguments arguments) {
   const std::vector<std::string> kinds = catalog_kinds();
   const bool is_kind = std::find(kinds.begin(), kinds.end(), arguments.kind) != kinds.end();

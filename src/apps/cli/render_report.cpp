@@ -44,7 +44,7 @@ std::string end_text(const RenderResult& result, double preparing,
     }
   }
   if (denoised_error) {
-    // What replicates have not found is missing there, too.
+    // Light that replicates have not found is missing there, too.
     RelativeError shown = result.relative_error.value_or(RelativeError());
     shown.value = *denoised_error;
     text += ", denoised " + error_text(shown);

@@ -7,7 +7,7 @@
 #include "session/output/output.h"
 #include "session/output/stats_json.h"
 
-/// What the program says at the end of a render.
+/// Report of the program at the end of a render.
 namespace ajar::cli {
 
 /// Says where a file is if it is not where it should be; true if it is.

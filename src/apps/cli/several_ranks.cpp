@@ -14,7 +14,8 @@ namespace ajar::cli {
 
 namespace {
 
-/// What the starter says: Open MPI, or a process manager of MPICH's family. Nothing else runs yet.
+/// Environment of the starter: Open MPI, or a process manager of MPICH's family. Nothing else runs
+/// yet.
 int told_by_starter(const char* open_mpi, const char* mpich, int otherwise) {
   for (const char* name : {open_mpi, mpich}) {
     const char* const text = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)

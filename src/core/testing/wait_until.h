@@ -4,9 +4,8 @@
 
 namespace ajar {
 
-/// For tests of what other threads and processes do: returns true as soon as `condition()` is true,
-/// false after a minute. That is generous, since the machine may be busy; only what never happens
-/// is waited for that long.
+/// For tests of other threads and processes: returns true as soon as `condition()` is true, false
+/// after a minute. The limit is generous, since the machine may be busy.
 template <typename Condition>
 bool wait_until(const Condition& condition) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);

@@ -12,7 +12,7 @@ inline constexpr WarningKind kImage{Effect::Surface, "textures cannot be read, s
 inline constexpr WarningKind kParameter{Effect::Slight, "parameters are ignored"};
 inline constexpr WarningKind kTriangle{Effect::None, "triangles have no area", "meshes"};
 
-/// Of "a.pbrt".
+/// A line of "a.pbrt".
 inline SourceLocation line(int number) {
   static const auto file = std::make_shared<const std::string>("a.pbrt");
   return {file, number, 1};

@@ -23,7 +23,7 @@ inline std::vector<float> pattern(int phase) {
   return values;
 }
 
-/// The same with 0.2 more (at most 1) in rows 10 to 19 of columns 10 to 29.
+/// Adds 0.2 (at most 1) in rows 10 to 19 of columns 10 to 29.
 inline std::vector<float> brighter_patch(std::vector<float> values) {
   constexpr auto kWidth = static_cast<std::size_t>(kPatternSize.x);
   for (std::size_t y = 10; y < 20; ++y) {

@@ -22,7 +22,7 @@ namespace ajar::image_formats {
 
 namespace {
 
-/// Whether red, green, blue and white are about those that are meant where a file says nothing.
+/// True if red, green, blue and white are about the defaults of files without them.
 bool is_rec709(const Imf::Chromaticities& given) {
   constexpr float kNear = 2e-3F;
   const Imf::Chromaticities usual;
@@ -126,7 +126,7 @@ class ExrDecoder final : public ImageDecoder {
     const std::size_t size = size_of(type);
     const std::size_t pixel = size * static_cast<std::size_t>(channels);
     const std::size_t row = pixel * static_cast<std::size_t>(header().width);
-    std::map<int, Imf::FrameBuffer> buffers;  // of parts
+    std::map<int, Imf::FrameBuffer> buffers;  // buffers of parts
     for (int i = 0; i < channels; ++i) {
       char* base = static_cast<char*>(values) + static_cast<std::size_t>(i) * size;
       const Place& place = places_.at(header().names[static_cast<std::size_t>(first_channel + i)]);
@@ -163,7 +163,7 @@ class ExrDecoder final : public ImageDecoder {
 
   std::unique_ptr<Imf::MultiPartInputFile> file_;
   int picture_;
-  std::map<std::string, Place> places_;  ///< of channels
+  std::map<std::string, Place> places_;  ///< places of channels
 };
 
 /// Red, green and blue of luminance and chroma, by the library's own filters.

@@ -47,7 +47,7 @@ Imf::Header header_of(const ImageLayout& layout) {
 }
 
 void write(const ImageLayout& layout, const RowSource<float>& row, Imf::OutputFile& file) {
-  constexpr int kRows = 16;  // of a block
+  constexpr int kRows = 16;  // rows of a block
   const std::size_t pixel = layout.names.size() * sizeof(float);
   const std::size_t stride = pixel * static_cast<std::size_t>(layout.width);
   std::vector<float> strip(stride / sizeof(float) * kRows);
@@ -73,7 +73,7 @@ std::vector<unsigned char> encode_exr(const ImageLayout& layout, const RowSource
   std::vector<unsigned char> bytes;
   try {
     MemoryStream stream(bytes);
-    // It writes the table of its rows when it goes.
+    // The destructor writes the table of its rows.
     Imf::OutputFile file(stream, header_of(layout), 0);
     write(layout, row, file);
   } catch (const std::bad_alloc&) {

@@ -224,7 +224,7 @@ class HdrDecoder final : public ImageDecoder {
   std::unique_ptr<HdrReader> reader_;
   int next_ = 0;
   std::vector<Rgbe> row_;
-  std::vector<Rgbe> whole_;  ///< of files that do not run from the top left
+  std::vector<Rgbe> whole_;  ///< pixels of files that do not run from the top left
   std::vector<float> floats_;
 };
 

@@ -82,7 +82,7 @@ class JpegDecoder final : public ImageDecoder {
   std::uint64_t pixel_bytes() const override { return header().names.size(); }
   bool is_read_in_parts() const override { return true; }
   std::uint64_t working_bytes() const override {
-    // Of a progressive file all coefficients are kept.
+    // All coefficients of a progressive file are kept.
     constexpr std::uint64_t kCoefficient = sizeof(JCOEF);
     constexpr std::uint64_t kRows = 64;
     return reader_->has_several_scans() ? header().pixels() * pixel_bytes() * kCoefficient

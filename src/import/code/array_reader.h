@@ -7,7 +7,7 @@
 #include "import/code/json_place.h"
 #include "import/code/scene_changes.h"
 
-/// What a description has as arrays: geometry and images.
+/// Arrays of a description: geometry and images.
 namespace ajar::code {
 
 class ArrayReader {
@@ -21,12 +21,12 @@ class ArrayReader {
   desc::MeshPointer mesh(const Json& json, const JsonPlace& place) const;
   /// {"control_points": 0, "widths": 1, "normals": 2}.
   desc::CurvesPointer curves(const Json& json, const JsonPlace& place) const;
-  /// {"image": 0}: rows × columns × 1 or 3, of bytes as they are shown or linear floats. The name
-  /// of an embedded file, which depends on nothing but what is in it.
+  /// {"image": 0}: rows × columns × 1 or 3, of display-encoded bytes or linear floats. The name of
+  /// an embedded file, which depends on its content alone.
   std::string image(const Json& json, const JsonPlace& place) const;
 
  private:
-  /// Which array a member means; -1 without the member.
+  /// Index of the array in a member; -1 without the member.
   int array_number(const JsonPlace& part, const char* name) const;
   const NumberArray& array(const JsonPlace& part, const char* name, NumberArray::Type type,
                            std::size_t columns) const;

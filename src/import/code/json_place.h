@@ -10,12 +10,12 @@ namespace ajar::code {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON of a program. Raises UsageError for text that is none, or that is nested more deeply than
-/// anything here has a meaning: whoever walks through it may do so by recursion.
+/// JSON of a program. Raises UsageError for invalid text, or for deeper nesting than any valid
+/// input has: readers may be recursive.
 Json parse_json(std::string_view text);
 
-/// A part of a description: an object, with the place in the program that it came from, and what it
-/// is called in messages.
+/// A part of a description: an object, with the place in the program that it came from, and its
+/// name in messages.
 class JsonPlace {
  public:
   /// Raises SceneError if this is no object or has another member than `known` (and "where").
@@ -28,12 +28,12 @@ class JsonPlace {
 
   /// Null if there is none, or if it is null.
   const Json* find(const char* name) const;
-  /// Raises SceneError for what is of another type; without the member, the default.
+  /// Raises SceneError for other types; without the member, the default.
   std::string text(const char* name, std::string otherwise = {}) const;
   bool flag(const char* name, bool otherwise) const;
   /// Finite.
   double number(const char* name, double otherwise) const;
-  /// Which of `count` things; -1 without the member.
+  /// Index below `count`; -1 without the member.
   int index(const char* name, std::size_t count) const;
 
  private:

@@ -10,7 +10,7 @@ namespace ajar::code {
 
 namespace {
 
-/// What a parameter takes, for messages.
+/// Values allowed for a parameter, for messages.
 std::string wanted(const ParameterSpec& spec) {
   const std::string or_texture = spec.textured ? " or a texture" : "";
   switch (spec.type) {

@@ -8,8 +8,8 @@
 /// Values of nodes from JSON and back.
 namespace ajar::code {
 
-/// What nodes refer to: by number, among those of the description, or by name, among those of the
-/// scene. Raise SceneError for what is not there.
+/// References of nodes: by number, among those of the description, or by name, among those of the
+/// scene. Raise SceneError for unknown ones.
 struct References {
   std::function<desc::TextureId(const Json& which, const JsonPlace& place)> texture;
   std::function<desc::MaterialId(const Json& which, const JsonPlace& place)> material;

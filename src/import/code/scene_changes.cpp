@@ -18,7 +18,7 @@ using code::Json;
 using code::JsonPlace;
 using desc::ModelKind;
 
-/// Carries the changes out, part by part; what is added comes after what is there.
+/// Carries the changes out, part by part; additions come after existing parts.
 class Changer {
  public:
   Changer(desc::SceneDesc& scene, std::span<const NumberArray> arrays, Warnings& warnings)
@@ -312,7 +312,7 @@ class Changer {
     code::set_parameters(kind, node, place, arrays_, references_);
   }
 
-  /// Nothing refers to itself, over whatever others.
+  /// Cycles of references are refused.
   template <typename Reference, typename Thing>
   static void check_order(const JsonPlace& place, const Thing& thing,
                           const std::vector<Thing>& things) {
@@ -360,7 +360,7 @@ void check_node(ModelKind kind, std::string_view node) {
   desc::EmbeddedFiles embedded;
   Warnings warnings;
   const Json json = parsed(node);
-  // What it refers to is looked at when it is added to a scene.
+  // References are resolved when it is added to a scene.
   const auto any = [](const Json&, const JsonPlace&) { return 0; };
   code::read_node(kind, {json, code::name_of(kind), {"model", "parameters"}},
                   code::ArrayReader({}, embedded, warnings), {any, any});

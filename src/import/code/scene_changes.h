@@ -9,9 +9,9 @@
 #include "scene/desc/models.h"
 #include "scene/desc/scene_desc.h"
 
-/// Scenes that programs describe, and changes of scenes that are there. What has names and values
-/// comes as JSON (docs/c-interface.md), what is large as arrays that it refers to. Models,
-/// parameters, defaults and ranges are those of `scene/desc/models.h`.
+/// Scenes that programs describe, and changes of scenes. Names and values are JSON
+/// (docs/c-interface.md), bulk data arrays that it refers to. Models, parameters, defaults and
+/// ranges are those of `scene/desc/models.h`.
 namespace ajar {
 
 /// Numbers of a program, row by row; `shape` says how many there are along each dimension.
@@ -24,7 +24,7 @@ struct NumberArray {
   std::size_t size() const;
 };
 
-/// `scene` with what `changes` adds to it, sets and edits. Places in messages are those that the
+/// `scene` with additions, settings and edits of `changes`. Places in messages are those that the
 /// changes give ("where": a file and a line). Raises SceneError.
 desc::SceneDesc changed_scene(desc::SceneDesc scene, std::string_view changes,
                               std::span<const NumberArray> arrays, Warnings& warnings);
@@ -33,7 +33,7 @@ desc::SceneDesc changed_scene(desc::SceneDesc scene, std::string_view changes,
 /// "parameters": …}`.
 void check_node(desc::ModelKind kind, std::string_view node);
 
-/// What `changed_scene` can edit: names, models, and parameters, as JSON.
+/// Parts that `changed_scene` can edit: names, models, and parameters, as JSON.
 std::string editable_parts(const desc::SceneDesc& scene);
 
 }  // namespace ajar

@@ -7,9 +7,9 @@
 
 namespace ajar {
 
-/// What the surface of a bare mesh looks like; neutral by default.
+/// Look of a bare mesh; neutral by default.
 struct Paint {
-  std::span<const Vec3> colors = {};  ///< of its vertices, linear
+  std::span<const Vec3> colors = {};  ///< vertex colours, linear
   std::string image = {};             ///< for its texture coordinates, resolved; before `colors`
 };
 

@@ -17,16 +17,16 @@ struct Daylight {
   double elevation() const;
 };
 
-/// Radiance, in W/(m² sr nm), of an even spectrum of 1 kcd/m²: what renderers whose skies are per
-/// nanometre have for it.
+/// Radiance, in W/(m² sr nm), of an even spectrum of 1 kcd/m², for renderers whose skies are per
+/// nanometre.
 extern const double kRadiancePerKilocandela;
 
-/// A light of the model `sky`, where the sun is not below the horizon; `scale` multiplies what is
-/// physical in units per nanometre. Turbidities that the model does not have are the nearest that
-/// it has.
+/// A light of the model `sky`, where the sun is not below the horizon; `scale` multiplies physical
+/// values in units per nanometre. Turbidities that the model does not have are the nearest that it
+/// has.
 std::optional<desc::Light> sky_light(const SourceLocation& where, const Daylight& daylight,
                                      double scale);
-/// The same for the sun: parallel light.
+/// The sun: parallel light.
 std::optional<desc::Light> sun_light(const SourceLocation& where, const Daylight& daylight,
                                      double scale);
 

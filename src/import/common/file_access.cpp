@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 constexpr WarningKind kSpelling{Effect::None,
                                 "files are spelt in another way than the scene has it"};
 
-/// Whether `file` is in the folder or below once all links are followed, those of the folder, too.
+/// True if `file` is in the folder or below once all links are followed, those of the folder, too.
 bool is_inside(const fs::path& folder, const fs::path& file) {
   std::error_code error;
   fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);

@@ -16,25 +16,25 @@ class FileAccess {
   FileAccess(std::string base_folder, FileProvider provider, Warnings& warnings)
       : base_folder_(std::move(base_folder)), provider_(std::move(provider)), warnings_(warnings) {}
 
-  /// Where `name` is: as the provider knows it, or an absolute path on the disk. A file that is
-  /// spelt in another way is told of where it is named; without `where`, it is not.
+  /// Location of `name`: as the provider knows it, or an absolute path on the disk. A file of
+  /// another spelling is a warning where it is named, if `where` is given.
   std::string resolve(const std::string& name, const SourceLocation& where = {});
-  /// The same for formats whose files come from strangers: raises IoError, with the reason, for
-  /// names that lead out of the folder of the scene, by themselves or by links.
+  /// Resolves names of untrusted files: raises IoError, with the reason, for names that lead out of
+  /// the folder of the scene, by themselves or by links.
   std::string resolve_inside(const std::string& name, const SourceLocation& where = {});
-  /// Reads what `resolve` returned. Raises IoError.
+  /// Reads a file resolved by `resolve`. Raises IoError.
   FileBytes load(const std::string& resolved) const;
-  /// The same of text, in UTF-8 (`in_utf8`).
+  /// Loads text, in UTF-8 (`in_utf8`).
   FileBytes load_text(const std::string& resolved) const { return in_utf8(load(resolved)); }
   bool exists(const std::string& resolved) const;
-  /// Whether there is a file of this very name, before it is resolved.
+  /// True if there is a file of this very name, before it is resolved.
   bool is_there(const std::string& name) const;
   /// All paths on the disk that were resolved so far.
   const std::set<std::string>& named() const { return named_; }
 
  private:
   std::string path_of(const std::string& name) const;
-  /// `name`, or what the file is called that alone can be meant.
+  /// `name`, or the name of the only file that matches it.
   std::string meant_by(const std::string& name) const;
 
   std::string base_folder_;

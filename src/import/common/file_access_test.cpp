@@ -92,7 +92,7 @@ class NamesOfOtherSystems : public ::testing::Test {
   SourceLocation where_{std::make_shared<const std::string>("room"), 3, 1};
 };
 
-TEST_F(NamesOfOtherSystems, AreTakenWhereOnlyOneFileCanBeMeant) {
+TEST_F(NamesOfOtherSystems, AreResolvedWhereOnlyOneFileMatches) {
   EXPECT_EQ(found("Textures\\Wood.PNG"), "Textures/Wood.PNG");
   EXPECT_EQ(found("textures/wood.png"), "Textures/Wood.PNG");
   EXPECT_EQ(found("TEXTURES\\new\\A.PNG"), "Textures/New/a.png");
@@ -106,7 +106,7 @@ TEST_F(NamesOfOtherSystems, AreTakenWhereOnlyOneFileCanBeMeant) {
   EXPECT_EQ(files_.named().count((folder_.path() / "Scene/Textures/Wood.PNG").string()), 1U);
 }
 
-TEST_F(NamesOfOtherSystems, AreNotTakenWhereTheNameIsThereOrSeveralAre) {
+TEST_F(NamesOfOtherSystems, AreIgnoredWhereTheNameExistsOrSeveralMatch) {
   EXPECT_EQ(found("twin"), "twin");
   EXPECT_EQ(found("Twin"), "Twin");
   EXPECT_EQ(found("TWIN"), "");
@@ -117,7 +117,7 @@ TEST_F(NamesOfOtherSystems, AreNotTakenWhereTheNameIsThereOrSeveralAre) {
   EXPECT_EQ(warnings_.count(), 0U) << "nobody asked to be told";
 }
 
-TEST_F(NamesOfOtherSystems, LeadOutOfTheFolderNoMoreThanOthers) {
+TEST_F(NamesOfOtherSystems, DoNotLeadOutOfTheFolder) {
   EXPECT_EQ(files_.load(files_.resolve_inside("textures\\wood.png")).view(), "Textures/Wood.PNG");
   for (const char* name : {"..\\above.png", "textures\\..\\..\\above.png", "..\\Above.PNG"}) {
     EXPECT_THROW(files_.resolve_inside(name), IoError) << name;

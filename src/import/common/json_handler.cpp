@@ -5,9 +5,9 @@
 namespace ajar {
 namespace {
 
-constexpr int kNumberOutOfRange = 406;  // of the parser's documentation
+constexpr int kNumberOutOfRange = 406;  // from the parser's documentation
 
-/// The part of the parser's message that says what is wrong; its own place is less exact than ours.
+/// The part of the parser's message with the reason; its own place is less exact than ours.
 std::string reason_of(const std::string& message) {
   constexpr std::string_view kPlace = "column ";
   std::size_t begin = message.find(kPlace);

@@ -11,9 +11,9 @@
 
 namespace ajar {
 
-/// What those share who make something of the events of nlohmann's parser: where tokens are, and
-/// what is said of text that is no JSON. A token begins where the one before it ended, but for what
-/// lies between tokens; of a number the parser has read one character more.
+/// Common base of handlers of nlohmann's parser events: places of tokens, and messages on text that
+/// is no JSON. A token begins where the one before it ended, but for what lies between tokens; of a
+/// number the parser has read one character more.
 class JsonHandler {
  public:
   using number_integer_t = nlohmann::json::number_integer_t;

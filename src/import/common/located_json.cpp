@@ -17,17 +17,17 @@ std::size_t end_of_string(std::string_view text, std::size_t i) {
   }
   return text.size();
 }
-/// The same of a comment; `i` if it is none, or has no end.
+/// End of a comment; `i` if there is none, or it has no end.
 std::size_t end_of_comment(std::string_view text, std::size_t i) {
   if (text.substr(i, 2) == "//") return std::min(text.find('\n', i), text.size());
   const std::size_t end = text.substr(i, 2) == "/*" ? text.find("*/", i + 2) : text.npos;
   return end == text.npos ? i : end + 2;
 }
 
-/// The text with spaces in place of what JSON has not, so that all else stays where it is.
+/// The text with spaces in place of the extensions of JSON, so that all else stays where it is.
 std::string without_extras(std::string_view text) {
   std::string result(text);
-  char last = '\0';  // of what is neither space nor comment
+  char last = '\0';  // last character that is neither space nor comment
   constexpr std::size_t kNoComma = std::string_view::npos;
   std::size_t comma = kNoComma;  // the last, if only spaces and comments are behind it
   for (std::size_t i = 0; i < text.size();) {
@@ -51,7 +51,7 @@ std::string without_extras(std::string_view text) {
 
 }  // namespace
 
-/// Makes the tree of what the parser finds.
+/// Makes the tree from the parser's events.
 class LocatedJson::Builder : public JsonHandler {
  public:
   Builder(std::string_view text, const std::string& name)

@@ -7,7 +7,7 @@
 
 namespace ajar {
 
-/// What a file may have that JSON has not: remarks, `// …` and `/* … */`, and a comma behind the
+/// Extensions of JSON that a file may use: comments, `// …` and `/* … */`, and a comma behind the
 /// last part of an array or object.
 enum class JsonExtras { None, CommentsAndTrailingCommas };
 
@@ -31,8 +31,8 @@ class LocatedJson {
   std::string_view kind_name() const;
   const SourceLocation& where() const { return where_; }
 
-  /// The value of a Bool, Number, String; the parts of an Array, Object. Of any other kind: false,
-  /// zero, empty.
+  /// The value of a Bool, Number, String; the parts of an Array, Object. False, zero or empty for
+  /// other kinds.
   bool flag() const { return flag_; }
   double number() const { return number_; }
   const std::string& text() const { return text_; }
@@ -55,7 +55,7 @@ class LocatedJson {
 
 struct LocatedJson::Member {
   std::string name;
-  SourceLocation where;  ///< of the name
+  SourceLocation where;  ///< place of the name
   LocatedJson value;
 };
 

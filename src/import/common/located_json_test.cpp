@@ -20,7 +20,7 @@ std::string error_in(std::string_view text) {
 
 std::string place(const LocatedJson& json) { return json.where().to_string(); }
 
-TEST(LocatedJson, KnowsThePlaceOfEveryKindOfValue) {
+TEST(LocatedJson, LocatesEveryKindOfValue) {
   const LocatedJson root = parse(
       "{\"a\": 1,\n"
       "  \"b\" :[true,null , -2.5e1,\"x\"],\n"
@@ -62,7 +62,7 @@ TEST(LocatedJson, FindsTheFirstOfTwoMembersAndKeepsBoth) {
   EXPECT_EQ(root.find("c"), nullptr);
 }
 
-TEST(LocatedJson, PlacesWhatIsNoJson) {
+TEST(LocatedJson, LocatesSyntaxErrors) {
   EXPECT_EQ(error_in("{\n  \"a\": 1,\n  \"b\" 2\n}").find("a.json:3:7: this is no JSON: "), 0U)
       << error_in("{\n  \"a\": 1,\n  \"b\" 2\n}");
   EXPECT_EQ(error_in("").find("a.json:1:1: this is no JSON: "), 0U) << error_in("");

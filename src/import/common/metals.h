@@ -12,7 +12,7 @@ enum class MetalQuantity { Eta, K };
 /// chemical symbol (Ag Al Au Cr Cu Ni W); empty for others.
 std::optional<Vec3d> metal_rgb(std::string_view symbol, MetalQuantity quantity);
 
-/// The same as daylight shows it (`sampled_to_rgb_in_daylight`).
+/// Colour in daylight (`sampled_to_rgb_in_daylight`).
 std::optional<Vec3d> metal_rgb_in_daylight(std::string_view symbol, MetalQuantity quantity);
 
 /// `metal_rgb` for a file or spectrum name as scenes use them: "spds/metals/Au.eta.spd",

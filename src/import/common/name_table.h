@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-/// How a file format calls our models and their parameters. A format has one table for each kind of
-/// models, from which its importer and its writer, if it has one, are driven.
+/// A file format's names of our models and their parameters. A format has one table for each kind
+/// of models, from which its importer and its writer, if it has one, are driven.
 namespace ajar {
 
 /// A parameter that a format calls otherwise, or gives another default.
@@ -17,9 +17,9 @@ struct ParameterName {
   std::vector<std::string_view> theirs;
   /// The format's default, if it is not ours.
   std::string_view fallback = {};
-  /// If ours is a choice and theirs a flag: what false and true mean.
+  /// Values for false and true if ours is a choice and theirs a flag.
   std::array<std::string_view, 2> words = {};
-  /// Of a parameter of ours that may be left out, where the format has a default: another of ours,
+  /// Fallback of a parameter that may be left out, where the format has a default: another of ours,
   /// of which the value is written then.
   std::string_view if_absent = {};
 };

@@ -3,25 +3,25 @@
 
 namespace ajar {
 
-/// Whether light that passes what is not there adds an edge to the depth of its path.
+/// Counting of cut-outs as edges in the depth of a path.
 enum class Passing { Counted, Uncounted };
 
-/// Whether it matters that cut-outs are counted, which costs time, where paths have no more than
-/// this many edges: those that are longer than 32 bring next to nothing.
+/// True if cut-outs have to be counted, which costs time, where paths have no more than this many
+/// edges: longer ones than 32 carry next to no light.
 inline bool must_count_cut_outs(int max_depth) { return max_depth <= 32; }
 
-/// Lets all light pass straight on: what is no surface, where it is a part of a mix.
+/// Transmits all light straight on: an interface as a part of a mix.
 desc::Node clear_material(Passing passing = Passing::Counted);
 
-/// The material `id` as a part of a mix: what is nothing but a boundary between media would let no
-/// light pass there, and is a clear material instead.
+/// The material `id` as a part of a mix: an interface between media would transmit no light there,
+/// and is replaced by a clear material.
 desc::MaterialId part_of_mix(desc::SceneDesc& scene, desc::MaterialId id,
                              Passing passing = Passing::Counted);
 
 /// A surface of which not all is there.
 struct PartlyClear {
   desc::MaterialId material = desc::kNone;
-  desc::TextureId alpha = desc::kNone;  ///< of the shape; none if nowhere all is cut away
+  desc::TextureId alpha = desc::kNone;  ///< opacity of the shape; none if nothing is cut away
 };
 /// `visible` by the share `opacity`, a number, a colour or a texture; the rest is clear. The
 /// materials that it takes are called and placed as `like`. Where a texture is 0, the mix alone

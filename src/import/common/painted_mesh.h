@@ -7,7 +7,7 @@
 namespace ajar {
 
 /// Gives `shape` a neutral material with `colors` of the vertices of `mesh` (linear, one per
-/// vertex), and the mesh that leads to them. `name` tells their image from others of the scene.
+/// vertex), and the mesh that leads to them. `name` names their image in the scene.
 void paint_shape(desc::Shape& shape, const desc::Mesh& mesh, std::span<const Vec3> colors,
                  const std::string& name, desc::SceneDesc& scene);
 

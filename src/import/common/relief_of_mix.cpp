@@ -10,7 +10,7 @@ constexpr WarningKind kTwoReliefs{
 /// Mixes this deep have more lobes than surfaces can have, of which scenes warn.
 constexpr int kDeepestMix = 100;
 
-/// Whose relief a mix shows where this is its first part.
+/// Material with the relief that a mix shows where this is its first part.
 const desc::Material& relief_of(const desc::SceneDesc& scene, desc::MaterialId id) {
   const desc::Material* material = &scene.materials[static_cast<std::size_t>(id)];
   for (int depth = 0; depth < kDeepestMix; ++depth) {
@@ -34,7 +34,7 @@ void check_relief_of_mix(const desc::SceneDesc& scene, desc::MaterialId first,
                          desc::MaterialId second, const SourceLocation& where, Warnings& warnings) {
   const desc::Material& a = relief_of(scene, first);
   const desc::Material& b = relief_of(scene, second);
-  if (a.node.is("interface") || b.node.is("interface")) return;  // which tilt nothing
+  if (a.node.is("interface") || b.node.is("interface")) return;  // interfaces have no relief
   if (is_same(scene, a.bump, b.bump) &&
       is_same(scene, a.normal_map.texture, b.normal_map.texture) &&
       a.normal_map.strength == b.normal_map.strength) {

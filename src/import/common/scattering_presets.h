@@ -8,7 +8,7 @@
 
 namespace ajar {
 
-/// What is known of a medium by name: reduced scattering and absorption, linear RGB in 1/mm.
+/// Measured media by name: reduced scattering and absorption, linear RGB in 1/mm.
 struct ScatteringPreset {
   Vec3 sigma_s;
   Vec3 sigma_a;

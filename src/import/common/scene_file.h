@@ -6,7 +6,7 @@
 #include "import/common/file_access.h"
 #include "scene/desc/scene_desc.h"
 
-/// What the `read` of formats has in common whose files are read as a whole.
+/// Common parts of the `read` of formats whose files are read as a whole.
 namespace ajar {
 
 struct SceneFile {
@@ -23,7 +23,7 @@ using ReadScene = desc::SceneDesc (*)(const SceneFile& file, Warnings& warnings,
 desc::SceneDesc read_scene_file(const std::string& path, Warnings& warnings,
                                 const FileProvider& provider, ReadScene read);
 
-/// The same for contents that are called `name`, in `folder`.
+/// Reads contents that are called `name`, in `folder`.
 desc::SceneDesc read_scene_bytes(std::string_view bytes, const std::string& name,
                                  const std::string& folder, Warnings& warnings,
                                  FileProvider provider, ReadScene read);

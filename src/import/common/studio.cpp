@@ -12,12 +12,12 @@
 namespace ajar {
 namespace {
 
-/// Of the camera: seen from the front, to the right, and above. High enough that the table reaches
-/// beyond the upper edge of the picture.
+/// Direction of the camera: from the front, the right, and above. High enough that the table
+/// reaches beyond the upper edge of the picture.
 constexpr double kAzimuth = 35.0 * kDegree;
 constexpr double kElevation = 24.0 * kDegree;
-constexpr double kFov = 30.0;     ///< of the shorter side, degrees
-constexpr double kMargin = 1.12;  ///< of the distance at which the model just fits
+constexpr double kFov = 30.0;     ///< across the shorter side, degrees
+constexpr double kMargin = 1.12;  ///< times the distance at which the model just fits
 
 /// A disk that shines towards the model, in radii of the model; radiance of its light.
 struct Softbox {
@@ -29,7 +29,7 @@ constexpr Softbox kRim{160.0 * kDegree, 35.0 * kDegree, 6.0, 0.9, 9.F};
 constexpr float kSky = 0.3F;
 constexpr float kTable = 0.55F;        ///< reflectance
 constexpr double kTableRadius = 60.0;  ///< in radii of the model
-constexpr double kGapBelow = 1e-4;     ///< so that flat bottoms do not touch the table
+constexpr double kGapBelow = 1e-4;     ///< flat bottoms do not touch the table
 
 Imath::Box3d box_of(const desc::Mesh& mesh) {
   Imath::Box3d box;
@@ -46,7 +46,7 @@ Imath::Box3d box_of(const desc::Curves& curves) {
   return box;
 }
 
-/// Of a sphere, disk or cylinder, whole turns of them.
+/// Bounding box of a sphere, disk or cylinder; partial sweeps count as full turns.
 Imath::Box3d box_of_quadric(const desc::Node& node) {
   const double radius = node.number("radius");
   const auto z = [&](const char* name, double otherwise) {
@@ -66,8 +66,8 @@ std::array<Vec3d, 8> corners_of(const Imath::Box3d& box) {
   return corners;
 }
 
-/// The boxes of what has one, each in its own space and with its place. The scene must
-/// not change meanwhile.
+/// The boxes of shapes that have one, each in its own space and with its place. The scene must not
+/// change meanwhile.
 class PlacedBoxes {
  public:
   explicit PlacedBoxes(const desc::SceneDesc& scene) {
@@ -137,7 +137,7 @@ class Studio {
       box_ = Imath::Box3d(Vec3d(-1.0), Vec3d(1.0));
     centre_ = box_.center();
     radius_ = 0.5 * box_.size().length();
-    if (!(radius_ > 0.0)) radius_ = 1.0;  // of a point
+    if (!(radius_ > 0.0)) radius_ = 1.0;  // radius for a single point
   }
 
   void add_camera() {
@@ -180,8 +180,8 @@ class Studio {
  private:
   /// From where all boxes just fit into the picture along one of its axes.
   struct Extent {
-    double shift;     ///< of the eye along the axis, from the centre
-    double distance;  ///< of the eye before the centre
+    double shift;     ///< displacement of the eye along the axis, from the centre
+    double distance;  ///< from the centre to the eye
   };
   /// With x along the axis and z forward from the centre, and slope t of the edges of the picture,
   /// x − s <= t (z + d) and s − x <= t (z + d) hold for all corners from this d on.
@@ -235,7 +235,7 @@ class Studio {
   UpAxis up_;
   Imath::Box3d box_;
   Vec3d centre_;
-  double radius_;  ///< of the sphere around the box
+  double radius_;  ///< radius of the sphere around the box
 };
 
 bool surfaces_shine(const desc::SceneDesc& scene) {

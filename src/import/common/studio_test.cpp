@@ -29,7 +29,7 @@ std::size_t count_of(const desc::SceneDesc& scene, const std::string& name) {
   return count;
 }
 
-TEST(Studio, KnowsTheBoundsOfQuadrics) {
+TEST(Studio, IncludesTheBoundsOfQuadrics) {
   desc::SceneDesc scene;
   Mat4 move;
   move.setTranslation(Vec3d(5.0, 0.0, 0.0));

@@ -8,7 +8,7 @@
 namespace ajar {
 namespace {
 
-/// How the numbers of characters are kept.
+/// Storage of characters' numbers.
 struct Encoding {
   std::size_t unit;  ///< bytes
   bool is_big_endian;
@@ -57,7 +57,7 @@ void append_utf8(std::string& text, std::uint32_t character) {
   tail(0);
 }
 
-/// Nothing for what is no text.
+/// Nothing for invalid text.
 std::optional<std::string> converted(std::string_view bytes, const Encoding& from) {
   bytes.remove_prefix(from.mark);
   if (bytes.size() % from.unit != 0) return std::nullopt;

@@ -3,9 +3,9 @@
 
 namespace ajar {
 
-/// Text as the readers of formats take it: UTF-8 without a mark of byte order. What is in UTF-16 or
-/// UTF-32, by its mark or by where its zero bytes are, is converted; all else, binary files among
-/// it, is as it was. Source: The Unicode Standard, sections 3.9, 3.10 and 23.8.
+/// Text as the readers of formats take it: UTF-8 without a byte order mark. UTF-16 and UTF-32,
+/// recognised by a mark or by their zero bytes, are converted; other bytes are unchanged. Source:
+/// The Unicode Standard, sections 3.9, 3.10 and 23.8.
 FileBytes in_utf8(FileBytes bytes);
 
 }  // namespace ajar

@@ -37,11 +37,11 @@ TEST(TextEncoding, TextOfEveryEncodingIsTheSame) {
   EXPECT_EQ(utf8_of("\xEF\xBB\xBFply\n"), "ply\n");
 }
 
-TEST(TextEncoding, CharactersOfTwoUnitsAreOne) {
+TEST(TextEncoding, SurrogatePairsAreOneCharacter) {
   EXPECT_EQ(utf8_of("\xFF\xFE\x3D\xD8\x00\xDE"s), "\xF0\x9F\x98\x80");
 }
 
-TEST(TextEncoding, BytesThatAreNoTextAreAsTheyWere) {
+TEST(TextEncoding, InvalidTextIsUnchanged) {
   for (const std::string& bytes :
        {"\xFF\xFE\x3D\xD8"s, "\xFF\xFE\x00\xDE"s, "\xFF\xFE\x41"s, "a\0b\0\0\0"s, "ply\n"s, "a"s,
         ""s, "\xFF\xFE\0\0\0\0\x11\0"s, "\0\0\0\0abcd"s}) {

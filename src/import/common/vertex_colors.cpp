@@ -21,7 +21,7 @@ class Squares {
   std::size_t column(std::size_t square) const { return 2 * (square % columns_); }
   std::size_t row(std::size_t square) const { return 2 * (square / columns_); }
 
-  /// Of the middle of a texel.
+  /// Coordinates of the middle of a texel.
   Vec2 uv(std::size_t column, std::size_t row) const {
     return Vec2(
         static_cast<float>((static_cast<double>(column) + 0.5) / static_cast<double>(width())),
@@ -66,8 +66,8 @@ PaintedMesh painted(const desc::Mesh& mesh, std::span<const Vec3> colors) {
     texel(0, 0) = c[0];
     texel(1, 0) = c[1];
     texel(0, 1) = c[2];
-    // What makes the bilinear interpolation of the square linear. It may be below 0, but counts
-    // least where the triangle is.
+    // Fourth corner that makes the bilinear interpolation of the square linear. It may be below 0,
+    // but has the least weight within the triangle.
     texel(1, 1) = c[1] + c[2] - c[0];
     const auto first = static_cast<unsigned>(result.mesh.positions.size());
     for (const unsigned vertex : {corners.x, corners.y, corners.z}) {

@@ -7,7 +7,7 @@
 namespace ajar {
 namespace {
 
-/// What a bilinear lookup of a float image gives; v from the bottom row.
+/// Result of a bilinear lookup of a float image; v from the bottom row.
 Vec3 looked_up(const TexelImage& image, const Vec2& uv) {
   const auto& texels = std::get<std::vector<float>>(image.texels);
   const auto at = [&](int x, int y) {

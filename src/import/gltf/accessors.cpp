@@ -99,7 +99,7 @@ float& component(Vector& vector, int c) {
   return vector[c];
 }
 
-/// Reads one element; `T` is what is stored.
+/// Reads one element of the stored type `T`.
 template <typename T, typename Value>
 void read_element(const char* bytes, int components, bool normalized, Value& value) {
   for (int c = 0; c < components; ++c) {
@@ -225,7 +225,7 @@ Accessors::Layout Accessors::layout_of(const Element& accessor, int components) 
   const std::size_t size = static_cast<std::size_t>(components) * size_of(type);
   const std::size_t elements = count_of(accessor);
   Layout layout = elements_of(accessor, elements, size);
-  // Zeros need no bytes in the file; but what is drawn has at least an index each.
+  // Zeros need no bytes in the file; but drawn elements have at least an index each.
   if (layout.bytes == nullptr && elements > buffers_.total_bytes()) {
     accessor.at("count").fail("these " + std::to_string(elements) +
                               " elements have no bytes of their own, and are more than the file "

@@ -22,12 +22,12 @@ class Accessors {
   std::vector<Vec3> read_vec3(std::size_t accessor);
   std::vector<Vec2> read_vec2(std::size_t accessor);
   std::vector<Imath::V4f> read_vec4(std::size_t accessor);
-  /// Of 4 × 4 numbers, for vectors that are multiplied from the left.
+  /// 4 × 4 matrices, for vectors that are multiplied from the left.
   std::vector<Imath::M44f> read_matrices(std::size_t accessor);
   /// Colours of three components or four; the fourth is 1 if there is none. Integers are shares of
   /// the largest in any case, as colours are nothing else (glTF 2.0, section 3.7.2.1).
   std::vector<Imath::V4f> read_colors(std::size_t accessor);
-  /// Whether the elements are integers that the file does not call normalised.
+  /// True if the elements are integers that the file does not call normalised.
   bool are_plain_integers(std::size_t accessor) const;
   /// Tangents of four components, the last of which becomes the handedness of the mesh.
   void read_tangents(std::size_t accessor, desc::Mesh& mesh);

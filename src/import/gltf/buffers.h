@@ -22,7 +22,7 @@ class Buffers {
   /// The view that the member `name` of `user` refers to; nothing if there is no such member.
   /// Raises SceneError if it reaches beyond its buffer, or the buffer cannot be read.
   std::optional<BufferView> find_view(const Element& user, std::string_view name);
-  /// Of all buffers, as the file says.
+  /// Sum over all buffers, as the file says.
   std::uint64_t total_bytes() const { return total_bytes_; }
 
  private:

@@ -6,13 +6,13 @@
 
 namespace ajar::gltf {
 
-/// What every part of the importer works with.
+/// State shared by all parts of the importer.
 struct Context {
   desc::SceneDesc& scene;
   Warnings& warnings;
   FileAccess& files;
   const Document& document;
-  const std::string& path;  ///< of the file: embedded images are named after it
+  const std::string& path;  ///< path of the file: embedded images are named after it
 };
 
 }  // namespace ajar::gltf

@@ -14,7 +14,7 @@ struct Document {
   Element root() const { return {json, origin, ""}; }
 };
 
-/// Parses JSON text, or a .glb container, told by its first bytes. Views of `bytes` are kept.
+/// Parses JSON text, or a .glb container, recognised by its first bytes. Views of `bytes` are kept.
 /// Raises SceneError, with line and column, if it is neither, or not of glTF 2.
 Document parse_document(std::string_view bytes, const std::string& name);
 

@@ -28,7 +28,7 @@ TEST(GltfDocument, MessagesHaveLineColumnAndElement) {
     EXPECT_TRUE(contains(warnings, part)) << part << "\n" << warnings;
   }
   EXPECT_FALSE(contains(warnings, "b/d")) << "the first of the two is not looked into";
-  // Those of a container count in its JSON.
+  // Offsets in a container count from its JSON.
   std::string padded = text;
   while (padded.size() % 4 != 0) padded += ' ';
   const auto number = [](std::size_t value) {
@@ -39,7 +39,7 @@ TEST(GltfDocument, MessagesHaveLineColumnAndElement) {
             warnings);
 }
 
-TEST(GltfDocument, MembersThatStandTwiceInDepthTakeNoLongerThanTheirFile) {
+TEST(GltfDocument, DeepDuplicateMembersTakeLinearTime) {
   constexpr int kLevels = 20000;
   std::string text = R"({"asset": {"version": "2.0"}, "extras": )";
   for (int i = 0; i < kLevels; ++i) text += R"({"a": 0, "a": 0, "b": )";
@@ -49,7 +49,7 @@ TEST(GltfDocument, MembersThatStandTwiceInDepthTakeNoLongerThanTheirFile) {
   EXPECT_TRUE(contains(warnings, "19900 more members stand twice"));
 }
 
-TEST(GltfDocument, KnowsWhereEveryValueIs) {
+TEST(GltfDocument, LocatesEveryValue) {
   const auto name = std::make_shared<const std::string>("a");
   const PlacedJson json = parse_placed_json(
       "[ {\"a\": [1,\n 2, \"three\"], \"b~/\": -1.5e3,\"c\":null},\n\t[[true] ] ]", name);
@@ -91,7 +91,7 @@ TEST(GltfDocument, DeepNestingIsNoProblem) {
             "no error");
 }
 
-TEST(GltfDocument, ContainersThatAreDamagedSayWhere) {
+TEST(GltfDocument, DamagedContainersAreLocatedErrors) {
   TestFile file;
   file.add_triangle();
   const std::string bytes = file.glb();

@@ -29,8 +29,8 @@ class Element {
   Element(const Json& value, std::shared_ptr<const Origin> origin, std::string pointer)
       : value_(&value), origin_(std::move(origin)), pointer_(std::move(pointer)) {}
 
-  /// Line and column, and the JSON pointer as the fragment of a URI:
-  /// `room.gltf:12:5#/materials/3`. Those of a .glb count in its JSON.
+  /// Line and column, and the JSON pointer as the fragment of a URI: `room.gltf:12:5#/materials/3`.
+  /// Places in a .glb count from its JSON.
   SourceLocation where() const;
   const std::string& pointer() const { return pointer_; }
   [[noreturn]] void fail(const std::string& message) const;
@@ -68,7 +68,7 @@ class Element {
   /// The names of the members of an object; none of anything else.
   std::vector<std::string> names() const;
   bool is_array() const { return value_->is_array(); }
-  /// Whether it, or anything in it, has a member whose name ends with this.
+  /// True if it, or anything in it, has a member whose name ends with this.
   bool mentions(std::string_view end_of_name) const;
 
   std::optional<double> find_number(std::string_view name) const;

@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 17> kRead = {"EXT_mesh_gpu_instancing",
                                                     "KHR_node_visibility",
                                                     "KHR_texture_transform"};
 
-/// What the picture lacks without them.
+/// Effect on the picture of unread extensions.
 struct Unread {
   std::string_view name;
   std::string_view consequence;
@@ -45,7 +45,8 @@ constexpr std::array<Unread, 4> kUnreadExtensions = {
      {"KHR_materials_iridescence", "thin films have no colours", kUnread},
      {"KHR_texture_basisu", "textures that have no other image are left out", kUnread}}};
 
-/// Of no effect on what is read: files that need not have them have the same meshes beside.
+/// Compressions without effect on the picture: files that do not require them have the same meshes
+/// beside.
 constexpr std::array<std::string_view, 3> kCompressions = {
     "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"};
 constexpr std::array<std::string_view, 2> kSilent = {"KHR_xmp_json_ld", "KHR_animation_pointer"};
@@ -61,7 +62,7 @@ const Unread* find_unread(std::string_view name) {
   return found == kUnreadExtensions.end() ? nullptr : &*found;
 }
 
-/// What it would change, as far as its name says.
+/// Kind of an unknown extension, by its name.
 const WarningKind& kind_of_unknown(std::string_view name) {
   if (name.find("_materials_") != name.npos) return kUnknownMaterial;
   if (name.find("_lights_") != name.npos) return kUnknownLight;

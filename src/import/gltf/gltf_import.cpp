@@ -53,8 +53,8 @@ void warn_of_the_whole(const gltf::Element& root, Warnings& warnings) {
   }
 }
 
-/// Images of what shines are mostly dark but for a few pixels: they are no lamps, unless the file
-/// makes them brighter than an image can be. Unlit surfaces are, which are black by themselves.
+/// Emissive images are mostly dark but for a few pixels: they are no lamps, unless the file makes
+/// them brighter than an image can be. Unlit surfaces are lamps, as they are black otherwise.
 bool is_lamp(const desc::SceneDesc& scene, const desc::Shape& shape) {
   const desc::Node& emission = shape.emission->node;
   const Vec3& scale = emission.color("scale");

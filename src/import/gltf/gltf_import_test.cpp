@@ -5,7 +5,7 @@
 namespace ajar::gltf {
 namespace {
 
-TEST(GltfImport, CompressedMeshesSayWhatToDo) {
+TEST(GltfImport, CompressedMeshesHaveARemedyInTheirWarning) {
   TestFile file;
   file.add_triangle();
   file.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
@@ -29,8 +29,8 @@ TEST(GltfImport, UnknownExtensionsAreErrorsOnlyIfRequired) {
   EXPECT_TRUE(contains(error_of(file.text()), "did you mean \"KHR_materials_specular\""));
 }
 
-/// What docs/reference/formats-gltf.md says of extensions.
-TEST(GltfImport, ExtensionsThatAreNotReadSayWhatThePictureLacks) {
+/// Claims of docs/reference/formats-gltf.md on extensions.
+TEST(GltfImport, UnreadExtensionsWarnOfTheirEffect) {
   for (const auto& [name, says] :
        {std::pair("KHR_materials_anisotropy", "gloss is the same in all directions"),
         std::pair("KHR_materials_dispersion", "glass has one index of refraction for all colours"),

@@ -24,12 +24,12 @@ class TestFile {
  public:
   Json json = Json::parse(R"({"asset": {"version": "2.0"}})");
 
-  /// Each returns the number of what it adds.
+  /// Each returns the index of the added element.
   std::size_t add_view(const std::string& bytes, std::size_t stride = 0);
   std::size_t add_accessor(const std::string& bytes, int component_type, const char* type,
                            std::size_t count, std::size_t stride = 0);
   std::size_t add(const char* array, Json value);
-  /// Of three corners (0 0 0), (1 0 0), (0 1 0) with uv (0 0), (1 0), (0 1), in the mode
+  /// Triangle with corners (0 0 0), (1 0 0), (0 1 0) and uv (0 0), (1 0), (0 1), in the mode
   /// "triangles".
   Json triangle();
   /// A mesh of one triangle with a material, and a node at the root that has it.
@@ -45,9 +45,9 @@ class TestFile {
 
 /// Imports as "test.gltf", with files beside it.
 desc::SceneDesc import_with(const std::string& bytes, Warnings& warnings, const Files& files = {});
-/// The same without any warning.
+/// Scene of a file, without any warning.
 desc::SceneDesc scene_of(const TestFile& file);
-/// Of a shape that is one.
+/// Mesh of a shape that is one.
 inline const desc::Mesh& mesh_of(const desc::SceneDesc& scene, std::size_t shape = 0) {
   return *scene.shapes.at(shape).node.mesh("mesh");
 }

@@ -1,4 +1,4 @@
-// What the tests of glTF share; in a file of tests, so that only their program has it.
+// Fixtures of the tests of glTF; in a file of tests, so that only their program has it.
 #include "import/gltf/gltf_test_support.h"
 
 #include <regex>

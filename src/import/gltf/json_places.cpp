@@ -93,7 +93,7 @@ class JsonReader : public JsonHandler {
   struct Open {
     Json* json;
     std::uint32_t value;
-    std::string name = {};  ///< of the member of an object that comes next, or is open
+    std::string name = {};  ///< name of the member of an object that comes next, or is open
     bool is_array() const { return json->is_array(); }
   };
 
@@ -156,7 +156,7 @@ class JsonReader : public JsonHandler {
     }
   }
 
-  /// Of the innermost object that is open.
+  /// Pointer of the innermost object that is open.
   std::string pointer_of_open() const {
     std::string pointer;
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {

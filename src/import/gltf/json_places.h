@@ -23,8 +23,8 @@ class JsonPlaces {
     std::string name;
   };
 
-  /// Where the value at a JSON pointer (RFC 6901) begins; for numbers in arrays, where the array
-  /// does; for what is not there, what is nearest around it.
+  /// Place of the value at a JSON pointer (RFC 6901); for numbers in arrays, of the array; for
+  /// missing values, of the nearest around.
   Place at(std::string_view pointer) const;
   /// The first hundred or fewer.
   const std::vector<Repeated>& repeated() const { return repeated_; }
@@ -41,7 +41,7 @@ class JsonPlaces {
     Place place;
     std::unique_ptr<Children> children;  ///< null if there are none
   };
-  /// What is in an array or object may be as deep as the text is long, so that none owns another.
+  /// Nesting may be as deep as the text is long, so that none owns another.
   std::vector<Value> values_;
   std::vector<Repeated> repeated_;
   std::size_t more_repeated_ = 0;
@@ -53,7 +53,7 @@ struct PlacedJson {
   JsonPlaces places;
 };
 
-/// Parses a text. Of members of the same name the last counts. Raises SceneError, with line and
+/// Parses a text. The last of several members of a name counts. Raises SceneError, with line and
 /// column; `name` stands in its message.
 PlacedJson parse_placed_json(std::string_view text, const std::shared_ptr<const std::string>& name);
 

@@ -18,7 +18,7 @@ bool Materials::has_textures(const Element& primitive) const {
   if (!material) return false;
   const std::vector<std::string> names = material->names();
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    // That of occlusion is not read.
+    // Occlusion textures are not read.
     if (name == "occlusionTexture" || name == "extras") return false;
     return name.ends_with("Texture") || material->at(name).mentions("Texture");
   });

@@ -12,7 +12,7 @@ class Materials {
  public:
   Materials(Context& context, Buffers& buffers) : context_(context), images_(context, buffers) {}
 
-  /// Whether the material of a primitive refers to any texture that is read.
+  /// True if the material of a primitive refers to any texture that is read.
   bool has_textures(const Element& primitive) const;
   /// The material of a primitive, with `colors`, or null, on its base colour.
   const Surface& of(const Element& primitive, const VertexColors* colors);

@@ -245,7 +245,7 @@ TEST(GltfMaterials, MaskCutsWhereAlphaIsBelowTheCutoff) {
   EXPECT_FALSE(alpha.flag("decode_srgb"));
 }
 
-TEST(GltfMaterials, BlendMixesWithWhatLetsLightPass) {
+TEST(GltfMaterials, BlendMixesWithATransparentMaterial) {
   TestFile file;
   file.add_triangle(
       {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}});
@@ -281,7 +281,7 @@ TEST(GltfMaterials, EmissionIsRadianceOfTheSameNumber) {
   EXPECT_TRUE(emission.flag("two_sided"));
 }
 
-TEST(GltfMaterials, UnlitOnesShineWithAWarning) {
+TEST(GltfMaterials, UnlitOnesEmitWithAWarning) {
   TestFile file;
   file.add_triangle({{"pbrMetallicRoughness", {{"baseColorFactor", {0.1, 0.2, 0.3, 1}}}},
                      {"extensions", {{"KHR_materials_unlit", Json::object()}}}});
@@ -319,7 +319,7 @@ TEST(GltfMaterials, SpecularFactorWeakensTheReflectionOfGlass) {
   EXPECT_EQ(node_of(scene).color("reflectance"), Vec3(0.25F));
 }
 
-TEST(GltfMaterials, BlendsWeighWhatShines) {
+TEST(GltfMaterials, BlendsWeightTheEmission) {
   const auto emission = [](const Json& pbr) {
     TestFile file = textured({{"alphaMode", "BLEND"},
                               {"emissiveFactor", {1, 0.5, 0.25}},
@@ -374,7 +374,7 @@ TEST(GltfMaterials, LayersOfOldAndUnlitMaterialsAreLeftOutWithAWarning) {
   }
 }
 
-TEST(GltfMaterials, VolumesOfWhatIsNoGlassAreLeftOutWithAWarning) {
+TEST(GltfMaterials, VolumesOfOpaqueMaterialsAreLeftOutWithAWarning) {
   const auto warnings_with = [](const Json& more) {
     Json material = {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"extensions", more}};
     material["extensions"]["KHR_materials_volume"] = {
@@ -467,7 +467,7 @@ TEST(GltfMaterials, ReferencesThatLeadNowhereAreErrors) {
       "/baseColorTexture/index: this refers to number 9, but there are 3, counted from 0"));
 }
 
-TEST(GltfMaterials, TexturesWithoutTheirFactorAreToldOf) {
+TEST(GltfMaterials, TexturesWithoutTheirFactorAreWarnings) {
   const Json texture = {{"index", 0}};
   const std::vector<std::tuple<const char*, const char*, const char*>> cases = {
       {"", "emissiveFactor", "emissiveTexture"},

@@ -15,8 +15,8 @@ constexpr WarningKind kUnknownMember{Effect::Slight, "members are unknown and ig
 constexpr WarningKind kMisplaced{Effect::Slight,
                                  "extensions stand where they mean nothing: ignored"};
 
-/// Of an object, or in an array of that name, objects of a kind; without a kind nothing that has
-/// members, or what is not read.
+/// A member: an object, or an array, of objects of a kind; without a kind nothing that has members,
+/// or an unread one.
 struct Member {
   std::string name;
   std::string_view kind = {};
@@ -118,7 +118,7 @@ const Kinds& kinds() {
   return kKinds;
 }
 
-/// Of the extensions that are read and have members that are.
+/// Kinds of the extensions that are read and have members that are.
 const Kinds& extension_kinds() {
   static const Kinds kKinds = {
       {"EXT_mesh_gpu_instancing", {{"attributes", "attributes of instances"}}},

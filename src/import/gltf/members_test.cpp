@@ -5,7 +5,7 @@
 namespace ajar::gltf {
 namespace {
 
-TEST(GltfMembers, OfNoMeaningAreWarnings) {
+TEST(GltfMembers, WithoutMeaningAreWarnings) {
   const auto expect_warning = [](const std::string& place, const Json& member,
                                  const std::string& text) {
     TestFile file;
@@ -85,7 +85,7 @@ TEST(GltfMembers, OfExtensionsHaveTheirPlace) {
                        "KHR_node_visibility means nothing on a mesh"));
 }
 
-TEST(GltfMembers, OfUnknownExtensionsHaveTheEffectThatTheirNameSays) {
+TEST(GltfMembers, OfUnknownExtensionsAreClassifiedByName) {
   for (const auto& [name, effect] : {std::pair("EXT_lights_image_based", Effect::Light),
                                      std::pair("KHR_materials_volume_scatter", Effect::Surface),
                                      std::pair("MSFT_lod", Effect::Slight)}) {
@@ -98,7 +98,7 @@ TEST(GltfMembers, OfUnknownExtensionsHaveTheEffectThatTheirNameSays) {
   }
 }
 
-TEST(GltfMembers, OfApplicationsAreNotLookedInto) {
+TEST(GltfMembers, OfApplicationsAreIgnored) {
   TestFile file;
   Json triangle = file.triangle();
   triangle["attributes"]["_ID"] = 0;

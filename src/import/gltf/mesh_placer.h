@@ -24,7 +24,7 @@ class MeshPlacer {
   /// Shapes of a mesh in a pose, in its own space.
   struct Parts {
     std::vector<desc::Shape> plain;
-    std::vector<desc::Shape> shining;  ///< which instances cannot do
+    std::vector<desc::Shape> shining;  ///< emissive shapes, which instances cannot have
     desc::ObjectId object = desc::kNone;
   };
 

@@ -52,13 +52,13 @@ std::vector<Triangle> assembled(const std::vector<unsigned>& indices, std::uint6
   return triangles;
 }
 
-/// Of a pose at a primitive; empty if there is none.
+/// Key of a pose at a primitive; empty if there is none.
 std::string key_of(const Pose& pose, const Element& primitive) {
   return pose.name.empty() ? "" : primitive.pointer() + pose.name;
 }
 
-/// Whether across is on the side where the texture coordinates have it, as it mostly is: there is
-/// nothing to be remembered then, and what other programs know of the mesh is all.
+/// True if the bitangent agrees with the texture coordinates, as it mostly does: then it need not
+/// be stored.
 bool agrees_with_uvs(const desc::Mesh& mesh) {
   const std::size_t vertices = mesh.positions.size();
   if (mesh.uvs.size() != vertices || mesh.normals.size() != vertices ||

@@ -11,7 +11,7 @@
 
 namespace ajar::gltf {
 
-/// The triangles of primitives. What is made of the same accessors is the same mesh.
+/// The triangles of primitives. Equal accessors give one mesh.
 class Meshes {
  public:
   Meshes(Context& context, Accessors& accessors) : context_(context), accessors_(accessors) {}
@@ -28,7 +28,7 @@ class Meshes {
 
  private:
   static constexpr std::size_t kNoAccessor = static_cast<std::size_t>(-1);
-  /// Numbers of accessors, the mode, and, if there is a pose, what tells it and the primitive.
+  /// Numbers of accessors, the mode, and, if there is a pose, the key of it and the primitive.
   struct Key {
     std::size_t positions, normals, tangents, uvs, colors, indices;
     std::uint64_t mode;

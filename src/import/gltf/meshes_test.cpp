@@ -285,7 +285,7 @@ desc::Mesh with_signs(std::vector<float> signs, bool has_normals, const std::vec
   return mesh_of(import_with(file.text(), warnings, {{"a.png", ""}}));
 }
 
-TEST(GltfMeshes, KeepTheSignOfTangentsWhereTextureCoordinatesSayAnother) {
+TEST(GltfMeshes, KeepTheSignOfTangentsAgainstTextureCoordinates) {
   using Signs = std::vector<std::int8_t>;
   // v down in the file is up here; the second triangle is the mirror image of the first.
   const std::vector<float> up = {0, 1, 1, 1, 0, 0};
@@ -297,7 +297,7 @@ TEST(GltfMeshes, KeepTheSignOfTangentsWhereTextureCoordinatesSayAnother) {
   EXPECT_EQ(with_signs({1, -1, 0}, true, up).handedness, Signs({1, -1, 0}));
 }
 
-TEST(GltfMeshes, TangentsWithoutNormalsDoNotCount) {
+TEST(GltfMeshes, TangentsWithoutNormalsAreIgnored) {
   EXPECT_TRUE(with_signs({1, 1, 1}, false, {0, 1, 1, 1, 0, 0}).tangents.empty());
   EXPECT_EQ(with_signs({1, 1, 1}, true, {0, 1, 1, 1, 0, 0}).tangents.size(), 3U);
 }
@@ -323,7 +323,7 @@ TEST(GltfMeshes, ElementsWithoutBytesAreZero) {
             (std::vector<Vec3>{Vec3(0.F), {7, 8, 9}, Vec3(0.F), Vec3(0.F), Vec3(0.F)}));
 }
 
-TEST(GltfMeshes, ColorsOfIntegersAreSharesWhateverTheFileSays) {
+TEST(GltfMeshes, IntegerColorsAreNormalised) {
   TestFile file = five_corners();
   Json attributes = file.json["extras"]["attributes"];
   attributes["COLOR_0"] =

@@ -19,7 +19,7 @@ Mat4 matrix_of(const std::vector<double>& numbers) {
   return matrix;
 }
 
-/// Of a quaternion; that of 0 turns nothing.
+/// Rotation of a quaternion; identity for 0.
 Mat4 rotation_of(double x, double y, double z, double w) {
   const Imath::Quatd rotation(w, x, y, z);
   return rotation.length() > 0.0 ? rotation.normalized().toMatrix44() : Mat4();
@@ -77,7 +77,7 @@ class Forest {
   }
 
  private:
-  /// Those of the scene that is shown; without scenes, all that are nobody's children.
+  /// Roots of the scene that is shown; without scenes, all nodes without a parent.
   std::vector<std::size_t> roots() const {
     std::vector<std::size_t> roots;
     const std::vector<Element> scenes = root_.elements("scenes");

@@ -24,7 +24,7 @@ std::vector<Mat4> places_of_mesh(const PlacedNode& placed, Accessors& accessors)
 /// back as it is.
 Mat4 without_scale(const Mat4& to_world);
 
-/// `to_world` of what looks or shines along +z in a `SceneDesc`, and along −z in glTF.
+/// `to_world` of cameras and lights along +z in a `SceneDesc`, and along −z in glTF.
 Mat4 turned_around(const Mat4& to_world);
 
 }  // namespace ajar::gltf

@@ -86,7 +86,7 @@ TEST(GltfNodes, MeshesUsedTwiceAreInstances) {
   EXPECT_EQ(without_places(scene.instances[1].where.to_string()), "test.gltf#/nodes/1");
 }
 
-TEST(GltfNodes, WhatShinesIsRepeatedInsteadOfInstanced) {
+TEST(GltfNodes, EmissiveMeshesAreCopiedInsteadOfInstanced) {
   TestFile file;
   file.add_triangle({{"emissiveFactor", {1, 1, 1}}});
   file.add("nodes", {{"mesh", 0}});
@@ -116,7 +116,7 @@ TEST(GltfNodes, MayHaveTheirMeshInManyPlaces) {
       contains(error_of(file.text()), "/attributes/ROTATION: there are 2 values for 3 instances"));
 }
 
-TEST(GltfNodes, HaveTheirMeshesInSoManyPlacesOnly) {
+TEST(GltfNodes, HaveALimitOfMeshPlacements) {
   TestFile file = with_node(Json::object());
   // Zeros without bytes, as many as the file has bytes.
   const std::string zeros(60'000, '\0');
@@ -227,7 +227,7 @@ TEST(GltfLights, LuxAreWattsPerSquareMetreFromPlusZ) {
   const desc::SceneDesc scene = scene_of(with_light({{"type", "directional"}, {"intensity", 3}}));
   EXPECT_TRUE(scene.lights[0].node.is("distant"));
   EXPECT_EQ(scene.lights[0].node.color("irradiance"), Vec3(3.F));
-  // It shines along −z: it is in the direction of +z.
+  // Light shines along −z: it is in the direction of +z.
   expect_near(transform_vector(scene.lights[0].to_world, {0, 0, 1}), {0, 0, 1});
 }
 

@@ -11,7 +11,7 @@ constexpr WarningKind kUnbound{
 constexpr WarningKind kMorphs{Effect::Surface,
                               "morph targets change colours or texture coordinates: ignored"};
 
-/// A weighted sum of transforms, and of what turns normals; the latter is there for those that
+/// A weighted sum of transforms, and of those of normals; the latter exists for transforms that
 /// flatten the mesh, too.
 struct Blend {
   Mat4 matrix =

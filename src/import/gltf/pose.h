@@ -8,15 +8,15 @@
 
 namespace ajar::gltf {
 
-/// What moves the vertices of a mesh at one node. Sources: glTF 2.0, sections 3.7.2.2 (morph
+/// Morph targets and skin of a mesh at one node. Sources: glTF 2.0, sections 3.7.2.2 (morph
 /// targets) and 3.7.3 (skins).
 struct Pose {
-  /// Tells the mesh from the same one at other nodes; empty if nothing moves its vertices.
+  /// Distinguishes the mesh from its copies at other nodes; empty if its vertices do not move.
   std::string name;
-  /// Of its morph targets: those that it lacks are 0. Null: all are.
+  /// Weights of its morph targets: missing ones are 0. Null: all are.
   const std::vector<double>* weights = nullptr;
-  /// Of each joint, from the mesh as it was bound to the world; null without a skin. With one, the
-  /// place of the node does not count.
+  /// Transform of each joint, from the mesh as it was bound to the world; null without a skin. The
+  /// place of the node is ignored with a skin.
   const std::vector<Mat4>* joints = nullptr;
 };
 
@@ -36,12 +36,12 @@ class Poses {
 
   Context& context_;
   Accessors& accessors_;
-  std::map<std::string, Mat4> places_;                  ///< of nodes, by JSON pointer
-  std::map<std::string, std::vector<double>> weights_;  ///< by JSON pointer of what has them
+  std::map<std::string, Mat4> places_;                  ///< transforms of nodes, by JSON pointer
+  std::map<std::string, std::vector<double>> weights_;  ///< by JSON pointer of their owner
   std::map<std::string, std::vector<Mat4>> skins_;      ///< by JSON pointer
 };
 
-/// Moves the vertices of `mesh`, which is what the attributes of `primitive` say.
+/// Moves the vertices of `mesh`, which has the attributes of `primitive`.
 void apply(const Pose& pose, const Element& primitive, Context& context, Accessors& accessors,
            desc::Mesh& mesh);
 

@@ -30,7 +30,7 @@ TestFile morphing() {
   return file;
 }
 
-TEST(GltfPoses, MorphTargetsCountByTheirWeights) {
+TEST(GltfPoses, MorphTargetsAreWeighted) {
   TestFile file = morphing();
   EXPECT_EQ(corner(scene_of(file), 0), Vec3(0.F)) << "without weights there are none";
   file.json["meshes"][0]["weights"] = {0.25, 0};
@@ -112,7 +112,7 @@ TEST(GltfPoses, JointsAreWhereTheyWereBoundWithoutMatrices) {
   expect_near(corner(scene_of(file), 1), {1, 2, 5});
 }
 
-TEST(GltfPoses, SkinsThatCannotBeFollowedAreShownAsTheyWereBound) {
+TEST(GltfPoses, InvalidSkinsAreShownInTheirBindPose) {
   TestFile file = skinned();
   file.add("scenes", {{"nodes", {0}}});
   EXPECT_TRUE(contains(warnings_of(file), "#/skins/0/joints/0: this joint is not in the scene"));

@@ -7,10 +7,10 @@
 
 namespace ajar::gltf {
 
-/// What `COLOR_0` multiplies the base colour of a primitive with: a texture, or a colour.
+/// Factor of the base colour of a primitive by `COLOR_0`: a texture, or a colour.
 struct VertexColors {
   desc::Value value;
-  std::string name;  ///< tells them from others; of the image, if it is one
+  std::string name;  ///< unique name; of the image, if it is one
   bool is_image() const { return std::holds_alternative<desc::TextureRef>(value); }
 };
 

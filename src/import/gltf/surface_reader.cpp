@@ -30,7 +30,8 @@ constexpr WarningKind kNoFactor{Effect::Surface,
                                 "textures have no factor, which then is 0: they are not seen"};
 constexpr WarningKind kInfiniteIndex{Effect::Slight, "materials have an index of refraction of 0"};
 
-/// What an extension adds to a material, unless the member is 0, and what is said where it cannot.
+/// Layer that an extension adds to a material, unless the member is 0, and the warning where it
+/// cannot.
 struct Layer {
   std::string_view extension;
   std::string_view member;
@@ -49,7 +50,7 @@ constexpr Layer kDiffuseTransmissionLayer{
     "KHR_materials_diffuse_transmission", "diffuseTransmissionFactor",
     "diffuse transmission is only supported in metallic-roughness materials: left out"};
 
-/// Whether a member, a number or a colour, is there and not 0.
+/// True if a member, a number or a colour, is there and not 0.
 bool is_some(const Element& holder, std::string_view name) {
   const std::optional<Element> member = holder.find(name);
   if (!member) return false;
@@ -198,7 +199,7 @@ desc::MaterialId SurfaceReader::with_opacity(desc::MaterialId visible) {
       context_.scene, {.name = material_.text_or("name", ""), .where = material_.where()}, visible,
       alpha_);
   surface_.alpha = partly.alpha;
-  // A blend is of all that is seen, of what shines, too.
+  // A blend includes the emission.
   if (surface_.emission) {
     desc::Node& emission = surface_.emission->node;
     const auto* share = std::get_if<float>(&alpha_);

@@ -24,21 +24,21 @@ class SurfaceReader {
   desc::MaterialId with_opacity(desc::MaterialId visible);
 
   void set_clearcoat(desc::Node& node);
-  /// Tells of extensions on a material that has none of them here.
+  /// Warns of extensions on a material that does not support them.
   void warn_of_layers();
-  /// Tells of a volume on what has none here.
+  /// Warns of a volume on an opaque material.
   void warn_of_volume();
   void set_sheen(desc::Node& node);
   void set_diffuse_transmission(desc::Node& node);
   float index_of_refraction() const;
-  /// What a smooth `principled` with this index reflects at normal incidence is what the material
-  /// does, with the colour of KHR_materials_specular.
+  /// Index whose reflectance at normal incidence is that of the material, with the colour of
+  /// KHR_materials_specular, for a smooth `principled`.
   float index_for_specular();
   /// The factor of KHR_materials_specular: of all that is reflected, at any angle.
   desc::Value specular_strength();
   desc::MediumId read_medium(const Element& volume);
   void read_emission();
-  /// Tells of a texture whose factor is 0 only because it is not given.
+  /// Warns of a texture whose factor is 0 only because it is not given.
   void warn_of_unseen(const Element& holder, const char* factor, const char* texture);
   /// Normals for all materials from number `first_made` on.
   void read_normals(std::size_t first_made);
@@ -46,9 +46,9 @@ class SurfaceReader {
   /// The colour that the member `factor`, of four numbers, and the texture `texture` of `holder`
   /// say. Their alpha becomes that of the surface.
   desc::Value read_color(const Element& holder, const char* factor, const char* texture);
-  /// The member `name`, brought into [0, 1], with a warning if it was far beyond.
+  /// The member `name`, clamped to [0, 1], with a warning if it was far beyond.
   float clamped_number(const Element& holder, std::string_view name, double fallback);
-  /// The same for `value`, which is that of the member.
+  /// Clamped `value`, which is that of the member.
   desc::Rgb clamped_color(const Element& holder, std::string_view name, const desc::Rgb& value);
   desc::Value mix_amount(const desc::Value& number) const;
   desc::MaterialId add(desc::Node node);
@@ -59,7 +59,7 @@ class SurfaceReader {
   const VertexColors* colors_;
   Textures textures_;
   Surface surface_;
-  /// Of the base colour: what `alphaMode` is about.
+  /// Alpha of the base colour, for `alphaMode`.
   desc::Value alpha_ = 1.F;
 };
 

@@ -6,8 +6,8 @@
 
 namespace ajar::gltf {
 
-/// What a material takes of an image. Colours are sRGB-coded in glTF, single channels and vectors
-/// are linear.
+/// Channels of an image that a material uses. Colours are sRGB-coded in glTF, single channels and
+/// vectors are linear.
 enum class Channel { Color, Red, Green, Blue, Alpha, Vector };
 
 /// Makes textures for one material. A mesh has one set of texture coordinates: that of the
@@ -18,7 +18,7 @@ class Textures {
 
   /// `factor` times the texture `name` of `holder`: a colour if there is no such texture.
   desc::Value color(const Element& holder, std::string_view name, const desc::Rgb& factor);
-  /// The same for a number from one channel.
+  /// A number from one channel.
   desc::Value number(const Element& holder, std::string_view name, float factor, Channel channel);
 
   /// The vectors of the texture `name` of `holder`, as they are in the image.
@@ -47,7 +47,7 @@ class Textures {
   Context& context_;
   Images& images_;
   std::optional<std::size_t> uv_set_;
-  SourceLocation where_;  ///< of the last texture that was read
+  SourceLocation where_;  ///< place of the last texture that was read
 };
 
 }  // namespace ajar::gltf

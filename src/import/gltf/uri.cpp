@@ -10,7 +10,7 @@
 namespace ajar::gltf {
 namespace {
 
-/// "%20" and the like (RFC 3986, section 2.1); what is no code stays.
+/// "%20" and the like (RFC 3986, section 2.1); other text stays.
 std::string percent_decoded(std::string_view text) {
   std::string decoded;
   decoded.reserve(text.size());

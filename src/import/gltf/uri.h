@@ -6,18 +6,17 @@
 
 namespace ajar::gltf {
 
-/// What a URI holds or names.
+/// Data or file of a URI.
 struct UriTarget {
-  std::optional<std::string> data;  ///< of a "data:" URI
-  std::string media_type;           ///< of one; may be empty
+  std::optional<std::string> data;  ///< content of a "data:" URI
+  std::string media_type;           ///< its media type; may be empty
   std::string file;                 ///< else: a path relative to the file, decoded
 };
 
 /// Raises SceneError for damaged data, IoError, with the reason, for other schemes than "data:".
 UriTarget target_of(const Element& uri);
 
-/// The bytes that base64 stands for (RFC 4648, section 4; padding may lack); nothing if it is
-/// damaged.
+/// Decodes base64 (RFC 4648, section 4; padding may lack); nothing if it is damaged.
 std::optional<std::string> decode_base64(std::string_view text);
 
 }  // namespace ajar::gltf

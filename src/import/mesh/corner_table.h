@@ -7,7 +7,7 @@
 
 namespace ajar {
 
-/// Which vertex each different corner of faces is. Open addressing: files have millions of corners.
+/// Vertex of each distinct corner of faces. Open addressing: files have millions of corners.
 class CornerTable {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();

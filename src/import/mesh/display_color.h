@@ -6,9 +6,9 @@
 
 namespace ajar {
 
-/// The linear value of a colour that a display shows, each lane from 0 to 1: what is beyond is
-/// clamped, and NaN is 0. Vertices of files that have no word for it have such colours: they come
-/// from the bytes of photographs.
+/// The linear value of a display colour, each lane from 0 to 1: other values are clamped, and NaN
+/// is 0. Vertices of files without a convention have such colours: they come from the bytes of
+/// photographs.
 inline Vec3 from_display(Vec3 color) {
   for (int lane = 0; lane < 3; ++lane) {
     // Written so that NaN becomes 0.

@@ -13,13 +13,13 @@
 
 namespace ajar {
 
-/// How the bytes of a file become a mesh.
+/// Conversion of a file's bytes to a mesh.
 struct MeshRecipe {
-  /// Raises SceneError. `name` is what the scene calls the file.
+  /// Raises SceneError. `name` is the scene's name of the file.
   std::function<desc::Mesh(std::string_view bytes, const std::string& name)> read = read_ply;
   /// Done to the mesh once it is known to be valid; may be empty.
   std::function<void(desc::Mesh&)> finish = {};
-  /// Tells recipes apart that make different meshes of one file.
+  /// Key of recipes that make different meshes of one file.
   std::string variant = {};
 };
 
@@ -53,7 +53,7 @@ class MeshLoader {
   std::map<std::pair<std::string, std::string>, std::size_t> known_;  ///< by path and variant
 };
 
-/// Whether it is a mesh without triangles, as those of files that could not be read.
+/// True for a mesh without triangles, as of files that could not be read.
 bool is_empty_mesh(const desc::Shape& shape);
 /// Leaves out such shapes.
 void remove_empty_meshes(desc::SceneDesc& scene);

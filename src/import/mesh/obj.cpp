@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t kNone = CornerTable::kNone;
 
-/// Of vertices that have none; no colour of a file.
+/// Marks vertices without a colour; no colour of a file.
 constexpr float kNoColor = std::numeric_limits<float>::quiet_NaN();
 
 bool is_colored(const Vec3& color) { return !std::isnan(color.x); }
@@ -42,10 +42,10 @@ class ObjReader {
   }
 
  protected:
-  /// What a face is added to.
+  /// Mesh that faces are added to.
   struct Target {
     desc::Mesh& mesh;
-    std::uint32_t number;  ///< of the mesh
+    std::uint32_t number;  ///< number of the mesh
     bool has_uvs, has_normals;
   };
   virtual Target target_of(bool has_uvs, bool has_normals) = 0;
@@ -106,7 +106,7 @@ class ObjReader {
     }
   }
 
-  /// What follows a position: nothing, a weight, a colour, or both.
+  /// Reads the rest of a position: nothing, a weight, a colour, or both.
   void read_color(LineWords& words) {
     const std::string_view rest = words.rest();
     std::array<float, 4> numbers{};
@@ -231,7 +231,7 @@ class ObjReader {
   std::vector<Vec3> colors_;  ///< as in the file, of the positions up to the last that has one
   std::vector<Vec2> uvs_;
   CornerTable vertices_;
-  std::vector<Corner> corners_;  ///< of the face that is read, and what is made of it:
+  std::vector<Corner> corners_;  ///< corners of the face that is read, and its parts:
   std::vector<unsigned> face_;
   std::vector<Vec3> places_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;

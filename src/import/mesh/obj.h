@@ -20,26 +20,26 @@ namespace ajar {
 /// corner without texture coordinates has (0, 0). Normals are kept if every corner has one.
 desc::Mesh read_obj(std::string_view bytes, const std::string& name);
 
-/// The same of one run of faces, counted from 0: `g` and `usemtl` begin another if there are faces
-/// before them. Raises SceneError, too, if there are not so many.
+/// Reads one run of faces, counted from 0: `g` and `usemtl` begin another if there are faces before
+/// them. Raises SceneError, too, if there are not so many.
 desc::Mesh read_obj_run(std::string_view bytes, const std::string& name, std::uint32_t index);
 
 /// All faces that have one material, and texture coordinates and normals, or not.
 struct ObjPart {
   std::string material;  ///< empty if none is named
-  SourceLocation where;  ///< of its first face
+  SourceLocation where;  ///< place of its first face
   desc::Mesh mesh;
-  /// Of the vertices, linear, if a vertex of the file has one; white where it has none. `v x y z r
-  /// g b` has that of a display, from 0 to 1, or from 0 to 255 if all of the file are whole numbers
-  /// and one is above 1. Source: what MeshLab and Blender write; Wavefront's manual has no colours.
+  /// Vertex colours, linear, if a vertex of the file has one; white where it has none. `v x y z r g
+  /// b` has sRGB values, from 0 to 1, or from 0 to 255 if all of the file are whole numbers and one
+  /// is above 1. Source: output of MeshLab and Blender; Wavefront's manual has no colours.
   std::vector<Vec3> colors;
 };
-/// Told of at its place while a file is read; none may be empty.
+/// Events while a file is read, with their places; none may be empty.
 struct ObjEvents {
   using Event = std::function<void(const SourceLocation&, std::string_view)>;
-  Event on_library;  ///< with what `mtllib` says
+  Event on_library;  ///< with the value of `mtllib`
   Event on_unread;   ///< with the first word of a line that is not read, the first time
-  Event on_numbers;  ///< of a vertex that nobody knows what to do with, the first time; with these
+  Event on_numbers;  ///< first vertex with numbers of unknown meaning; with these
 };
 /// In the order of their first faces.
 std::vector<ObjPart> read_obj_parts(std::string_view bytes, const std::string& name,

@@ -43,7 +43,7 @@ int slot_of(const std::string& name) {
   return kUnusedSlot;
 }
 
-/// What stands for 1 in a colour.
+/// Value of 1 in a colour.
 float full_color(PlyType type) {
   switch (type) {
     case PlyType::Int8:
@@ -180,7 +180,7 @@ class PlyReader {
     for (const PlyProperty& property : element.properties) {
       if (slot_of(property.name) == kFirstColor) full = full_color(property.type);
     }
-    // Floats are shares, or what bytes are: none that is a share is that large.
+    // Floats are shares, or values of bytes: no share is that large.
     constexpr float kMostOfShares = 2.F;
     const bool are_bytes = full == 1.F && std::ranges::any_of(colors_, [](const Vec3& color) {
                              return std::max({color.x, color.y, color.z}) > kMostOfShares;
@@ -425,7 +425,7 @@ class PlyReader {
   bool has_uvs_ = false;
   bool has_colors_ = false;
   std::vector<Vec3> colors_;
-  std::vector<Vec3> places_;  ///< of a face, and what is made of it
+  std::vector<Vec3> places_;  ///< corners of a face, and its triangles
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 

@@ -16,9 +16,9 @@ namespace ajar {
 /// data is not a complete PLY file.
 desc::Mesh read_ply(std::string_view bytes, const std::string& name);
 
-/// A mesh with what no mesh of a scene has: colours of its vertices, which are those of a display
-/// in the file and linear here, if it has any; images that remarks of the header name; and what of
-/// the file is skipped, "flags" of a face or "edge" for an element.
+/// A mesh with parts that no mesh of a scene has: colours of its vertices, display-encoded in the
+/// file and linear here, if it has any; images that remarks of the header name; and the skipped
+/// parts of the file, "flags" of a face or "edge" for an element.
 struct PlyContents {
   desc::Mesh mesh;
   std::vector<Vec3> colors;

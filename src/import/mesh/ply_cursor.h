@@ -83,7 +83,7 @@ class PlyBinaryCursor {
   bool swap_;
 };
 
-/// The same for ascii bodies.
+/// Cursor for ascii bodies.
 class PlyAsciiCursor {
  public:
   explicit PlyAsciiCursor(std::string_view body)

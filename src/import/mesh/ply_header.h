@@ -15,7 +15,7 @@ struct PlyProperty {
   std::string name;
   PlyType type = PlyType::Float32;
   bool is_list = false;
-  PlyType count_type = PlyType::UInt8;  ///< of lists
+  PlyType count_type = PlyType::UInt8;  ///< type of the length of lists
 };
 struct PlyElement {
   std::string name;

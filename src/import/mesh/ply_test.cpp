@@ -151,7 +151,7 @@ TEST(Gzip, RefusesToUnpackMoreThanAllowed) {
   EXPECT_EQ(gunzip(packed, 1000000)->size(), 1000000U);
 }
 
-TEST(Gzip, StopsWhereTheMemoryEnds) {
+TEST(Gzip, StopsAtTheMemoryLimit) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers reserve more memory than any limit allows";
 #endif
@@ -185,7 +185,7 @@ TEST(Ply, EveryTruncationIsAnError) {
   }
 }
 
-TEST(Ply, CountsThatCannotBeTrueAreRefusedBeforeMemoryIsTaken) {
+TEST(Ply, ImpossibleCountsAreRefusedBeforeAllocation) {
   std::string bomb = kAsciiQuad;
   bomb.replace(bomb.find("vertex 4"), 8, "vertex 1000000000000");
   EXPECT_NE(ply_error_in(bomb).find("1000000000000 × vertex cannot fit"), std::string::npos);
@@ -286,7 +286,7 @@ TEST(Ply, StripsAreTriangles) {
             std::string::npos);
 }
 
-TEST(Ply, WhatIsSkippedIsNamed) {
+TEST(Ply, SkippedElementsAreReported) {
   const PlyContents contents = read_ply_contents(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
       "z\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nproperty int "

@@ -26,7 +26,7 @@ Vec3d mean_normal(std::span<const Vec3> corners) {
 }
 
 /// As seen against the normal, so that they are counterclockwise; distances along its largest axis
-/// are left out, which keeps what is inside of what.
+/// are left out, which preserves containment.
 std::vector<Point> projected(std::span<const Vec3> corners, const Vec3d& normal) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
@@ -78,7 +78,7 @@ class EarCutter {
         ++tried;
         continue;
       }
-      // What has no area covers nothing.
+      // Degenerate triangles are left out.
       if (area > 0.0) triangles_.push_back({before, here, after});
       left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
       tried = 0;
@@ -89,7 +89,7 @@ class EarCutter {
   }
 
  private:
-  /// Whether no other corner is in this triangle. Corners in the place of one of its own are those
+  /// True if no other corner is in this triangle. Corners in the place of one of its own are those
   /// of a cut that leads to a hole.
   bool is_free(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const Point& pa = points_[a];

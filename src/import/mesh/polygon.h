@@ -10,8 +10,8 @@ namespace ajar {
 
 /// Adds triangles that cover the polygon with these corners, by the numbers of the corners, in its
 /// direction. Convex ones are fanned from the first corner, others cut ear by ear as seen along
-/// their mean normal; what is no simple polygon, or has more than 500 corners, is fanned as well.
-/// Source: Meisters 1975, "Polygons have ears".
+/// their mean normal; polygons that intersect themselves, or have more than 500 corners, are fanned
+/// as well. Source: Meisters 1975, "Polygons have ears".
 void triangulate(std::span<const Vec3> corners,
                  std::vector<std::array<std::uint32_t, 3>>& triangles);
 

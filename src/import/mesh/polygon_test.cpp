@@ -38,7 +38,7 @@ TEST(Polygon, ConvexOnesAreFanned) {
 }
 
 TEST(Polygon, QuadsWithADentAreCutAtIt) {
-  // A fan from the first corner would cover what is outside.
+  // A fan from the first corner would cover area outside.
   EXPECT_EQ(cut({{0, 2, 0}, {-1, 0, 0}, {0, 1, 0}, {1, 0, 0}}).size(), 2U);
   for (std::size_t first = 0; first < 4; ++first) {
     std::vector<Vec3> dart = {{0, 2, 0}, {-1, 0, 0}, {0, 1, 0}, {1, 0, 0}};
@@ -76,7 +76,7 @@ TEST(Polygon, HolesMayBeReachedByACut) {
   expect_covered(wall, {0, 0, 1}, 12.0);
 }
 
-TEST(Polygon, WhatIsNoneIsFanned) {
+TEST(Polygon, DegenerateOnesAreFanned) {
   const float nan = std::nanf("");
   EXPECT_EQ(cut({{0, 0, 0}, {1, nan, 0}, {1, 1, 0}, {0, 1, 0}}).size(), 2U);
   EXPECT_EQ(cut(std::vector<Vec3>(5, Vec3(1.F))).size(), 3U);

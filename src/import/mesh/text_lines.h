@@ -16,7 +16,7 @@ class TextLines {
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
   }
 
-  /// False at the end. What `line` gives is there until the next call.
+  /// False at the end. Views from `line` are valid until the next call.
   bool next() {
     if (rest_.empty()) return false;
     line_ = take();
@@ -33,7 +33,7 @@ class TextLines {
     return true;
   }
   std::string_view line() const { return line_; }
-  /// Of its beginning, counted from 1.
+  /// Number of the line at its beginning, counted from 1.
   int number() const { return number_; }
 
  private:
@@ -43,7 +43,7 @@ class TextLines {
     const std::size_t first = line.find_first_not_of(kSpace);
     return first != line.npos && line[first] == '#';
   }
-  /// Whether the last that is not a space is a backslash.
+  /// True if the last character that is not a space is a backslash.
   static bool goes_on(std::string_view line) {
     const std::size_t last = line.find_last_not_of(kSpace);
     return last != line.npos && line[last] == '\\';
@@ -74,7 +74,7 @@ class LineWords {
  public:
   explicit LineWords(std::string_view line) : line_(line), rest_(line) {}
 
-  /// What is before the next space; empty at the end of the line.
+  /// Word before the next space; empty at the end of the line.
   std::string_view word() {
     skip_spaces();
     std::size_t length = 0;
@@ -89,7 +89,7 @@ class LineWords {
     while (!rest_.empty() && is_space(rest_.back())) rest_.remove_suffix(1);
     return rest_;
   }
-  /// Of what comes next, counted from 1.
+  /// Column of the next word, counted from 1.
   int column() {
     skip_spaces();
     return static_cast<int>(rest_.data() - line_.data()) + 1;
@@ -105,7 +105,7 @@ class LineWords {
   std::string_view rest_;
 };
 
-/// The number that `word` is; nothing if it is none, or beyond what a double holds.
+/// The number in `word`; nothing if it is none, or beyond the range of doubles.
 inline std::optional<float> number_in(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0.0;

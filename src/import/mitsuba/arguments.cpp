@@ -61,7 +61,7 @@ const Property* Arguments::find(std::string_view name) {
   for (std::size_t i = 0; i < element_.properties.size(); ++i) {
     if (element_.properties[i].name != name) continue;
     used_properties_[i] = true;
-    found = &element_.properties[i];  // of several the last
+    found = &element_.properties[i];  // the last of several counts
   }
   return found;
 }

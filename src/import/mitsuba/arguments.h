@@ -33,12 +33,12 @@ class Arguments {
   std::optional<double> number(std::string_view name);
   std::optional<long long> integer(std::string_view name);
   std::optional<std::string> text(std::string_view name);
-  /// A colour or a number, which is grey; or a texture that is the same everywhere.
-  /// `expected` is what a warning calls it.
+  /// A colour or a number, which is grey; or a constant texture. `expected` is its name in
+  /// warnings.
   std::optional<desc::Rgb> color(std::string_view name, const char* expected = "a colour");
   std::optional<Vec3d> vector(std::string_view name);
   std::optional<Mat4> transform(std::string_view name);
-  /// The same for what has a default.
+  /// Values with a default.
   bool flag(std::string_view name, bool fallback) { return flag(name).value_or(fallback); }
   float number(std::string_view name, float fallback) {
     return static_cast<float>(number(name).value_or(static_cast<double>(fallback)));
@@ -49,9 +49,9 @@ class Arguments {
   /// One of some words, in small letters: capitals make no difference.
   std::string word(std::string_view name, const std::string& fallback);
 
-  /// Whether a property or a child of this name is there, of whatever kind.
+  /// True if a property or a child of this name is there, of whatever kind.
   bool has(std::string_view name) const;
-  /// Whether a property of this name is there and is a string.
+  /// True if a property of this name is there and is a string.
   bool has_text(std::string_view name) const;
   /// The child that is `name` to this plugin; null if there is none.
   const Element* child(std::string_view name, std::string_view tag);
@@ -63,7 +63,7 @@ class Arguments {
   /// The first child of this tag, with a warning if there are more; null if there is none.
   const Element* only_child(std::string_view tag);
 
-  /// Marks what is known and has no meaning for us.
+  /// Marks properties that are known and have no meaning for us.
   void accept(std::initializer_list<std::string_view> names);
   void accept_all();
 
@@ -84,7 +84,7 @@ class Arguments {
   std::string owner() const;
   void report_unused() const;
   bool is_used(std::string_view name) const;
-  /// Of a property or a child, which is `kind`, that nothing has taken.
+  /// Reports an unused property or child, which is `kind`.
   void report(const SourceLocation& where, const std::string& name, const std::string& kind) const;
   void report_twice(const SourceLocation& where, const std::string& name) const;
   void report_unknown(const SourceLocation& where, const std::string& name) const;
@@ -92,7 +92,7 @@ class Arguments {
   Context& context_;
   const Element& element_;
   std::vector<bool> used_properties_;
-  std::vector<const Element*> children_;  ///< what they are, or refer to
+  std::vector<const Element*> children_;  ///< elements that children are, or refer to
   std::vector<Use> used_children_;
   std::vector<std::string> asked_;
   int exceptions_;  ///< at the beginning

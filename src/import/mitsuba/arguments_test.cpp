@@ -1,4 +1,4 @@
-// Nothing that a scene says is dropped in silence, whatever the plugin that it is said to.
+// No property of a scene is dropped in silence, for any plugin.
 #include "import/mitsuba/import_test_support.h"
 #include "import/mitsuba/plugin_types.h"
 
@@ -41,7 +41,7 @@ std::string around(const std::string& tag, const std::string& type) {
   return sensor + shape + "@";  // emitters, integrators, shapes
 }
 
-/// What a plugin needs; others have no use for it, and say so each time.
+/// Properties that a plugin requires; others ignore them, with a warning each.
 std::string needs_of(const std::string& tag, const std::string& type) {
   const std::string file = "<string name='filename' value='a'/>";
   if (tag == "bsdf") {
@@ -55,7 +55,7 @@ std::string needs_of(const std::string& tag, const std::string& type) {
   return tag == "shape" || tag == "volume" ? file : "";
 }
 
-/// What a medium or a material calls it.
+/// Name that a medium or a material has in it.
 std::string name_of(const std::string& tag) {
   if (tag == "medium") return "interior";
   if (tag == "volume") return "sigma_t";
@@ -65,7 +65,7 @@ std::string name_of(const std::string& tag) {
 
 class MitsubaPlugins : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(MitsubaPlugins, WarnOnceOfEachThingThatTheyDoNotKnow) {
+TEST_P(MitsubaPlugins, WarnOnceOfEachUnknownName) {
   const std::string tag = GetParam();
   const std::vector<std::string>& types = plugin_types(tag == "spectrum" ? "texture" : tag);
   ASSERT_FALSE(types.empty());
@@ -106,7 +106,7 @@ TEST(MitsubaArguments, OfUnknownPluginsAreNotWarnedOf) {
   }
 }
 
-TEST(MitsubaArguments, ElementsThatArePluginsCannotUseAreWarnings) {
+TEST(MitsubaArguments, UnusedElementsAreWarnings) {
   const std::string matt = "<bsdf type='dielectric'/>";
   const std::string grey = "<texture type='checkerboard'/>";
   const auto bsdf = [&](const std::string& type, const std::string& content) {

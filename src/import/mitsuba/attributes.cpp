@@ -91,7 +91,7 @@ void check_names(const XmlFile& file, const pugi::xml_node& node, const Names& n
   }
 }
 
-/// Warns of attributes that say what another one says, which counts.
+/// Warns of attributes that duplicate another one, which counts.
 void check_rivals(const XmlFile& file, const pugi::xml_node& node, const Names& names,
                   Warnings& warnings) {
   const auto check = [&](const char* counts, std::initializer_list<const char*> others) {
@@ -110,7 +110,7 @@ void check_rivals(const XmlFile& file, const pugi::xml_node& node, const Names& 
   if (has(names, "filename")) check("filename", {"value"});
 }
 
-/// Whether an element means something in that around it.
+/// True if an element has a meaning in its parent.
 bool is_in_place(const pugi::xml_node& node) {
   static const std::set<std::string_view> kWithoutElements = {
       "boolean", "integer", "float",    "string", "vector",  "point",     "rgb",     "srgb",
@@ -123,7 +123,7 @@ bool is_in_place(const pugi::xml_node& node) {
   return kWithoutElements.count(name) == 0;
 }
 
-/// Whether what is in the element is to be looked at, too.
+/// True if the content of the element is to be checked, too.
 bool check(const XmlFile& file, const pugi::xml_node& node, Warnings& warnings) {
   if (node.type() != pugi::node_element) return false;
   if (!is_in_place(node)) {

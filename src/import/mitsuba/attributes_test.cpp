@@ -31,7 +31,7 @@ TEST(MitsubaAttributes, ElementsInPropertiesAndReferencesAreWarnings) {
   EXPECT_TRUE(contains(moving, "<animation> has no <float> in it")) << moving;
 }
 
-TEST(MitsubaAttributes, ThatSayTheSameTwiceAreWarnings) {
+TEST(MitsubaAttributes, DuplicatesAreWarnings) {
   const auto placed = [](const std::string& step) {
     return "<shape type='sphere'><transform name='to_world'>" + step + "</transform></shape>";
   };

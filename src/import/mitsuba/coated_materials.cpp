@@ -26,7 +26,7 @@ bool is_constant(const desc::Node& node, const char* name) {
   return std::holds_alternative<Vec3>(node.get(name));
 }
 
-/// Index of a coat. What is below has no gloss if the coat is the thinner medium.
+/// Index of a coat. The base has no gloss if the coat is the thinner medium.
 float index_of_coat(const MaterialInputs& in, std::string_view usual) {
   const float eta = relative_index(in.arguments, usual);
   if (eta < 1.F) {
@@ -38,8 +38,8 @@ float index_of_coat(const MaterialInputs& in, std::string_view usual) {
   return eta;
 }
 
-/// How the facets of a rough coat let light through: a table of light that meets one of them, in
-/// all versions. In 0.x what the table lacks is turned back inside; since 2 it is lost there, too.
+/// Transmission of the facets of a rough coat: a table of light that meets one of them, in all
+/// versions. The rest is reflected back inside in 0.x; since 2 it is lost there, too.
 std::string transmission_of_rough_coat(const MaterialInputs& in) {
   return in.context().document.major_version == 0 ? "single" : "lossy_sum";
 }

@@ -8,7 +8,7 @@
 
 namespace ajar::mitsuba {
 
-/// What every part of the importer works with.
+/// State shared by all parts of the importer.
 struct Context {
   desc::SceneDesc& scene;
   const Document& document;
@@ -18,7 +18,7 @@ struct Context {
   /// else as in ours, by which only boundaries of media do not.
   bool counts_boundaries = false;
   bool counts_straight = true;
-  /// Those whose `Arguments` are in use now, and those whose arguments were reported.
+  /// Elements whose `Arguments` are in use now, and those whose arguments were reported.
   std::set<const Element*> open = {};
   std::set<const Element*> reported = {};
 };

@@ -78,7 +78,7 @@ TEST(MitsubaCurves, OfHairGrowAsZDoesAndSplinesDoNot) {
         .node.curves("curves")
         ->widths[0];
   };
-  // What is in the shape's space grows by the cube root of the volume, 2.
+  // Widths in the shape's space grow by the cube root of the volume, 2.
   EXPECT_FLOAT_EQ(width("hair", "h.txt", "z=\"8\""), 2.F * 0.025F * 8.F / 2.F);
   EXPECT_FLOAT_EQ(width("hair", "h.txt", "x=\"8\""), 2.F * 0.025F / 2.F);
   EXPECT_FLOAT_EQ(width("linearcurve", "c.txt", "z=\"8\""), 2.F / 2.F);

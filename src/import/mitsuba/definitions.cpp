@@ -5,7 +5,7 @@
 namespace ajar::mitsuba {
 namespace {
 
-/// Definitions may use others: a few lines can stand for any length.
+/// Definitions may use others: a few lines can expand to any length.
 constexpr std::size_t kLongest = 1U << 20U;
 
 bool is_of_name(char c) {

@@ -9,13 +9,13 @@
 
 namespace ajar::mitsuba {
 
-/// What `$name` stands for: given from outside, or by `<default>` in the scene.
+/// Values of `$name`: given from outside, or by `<default>` in the scene.
 class Definitions {
  public:
-  /// What is `given` takes precedence over what files define.
+  /// Values `given` take precedence over those that files define.
   explicit Definitions(SceneDefinitions given) : given_(given), values_(std::move(given)) {}
 
-  /// Of `<default>`. What was given or defined before counts.
+  /// Adds the value of a `<default>`. Earlier and given values take precedence.
   void define(const std::string& name, const std::string& value);
 
   /// `text` with all `$name` replaced, of several fitting names by the longest; `\$` is a dollar

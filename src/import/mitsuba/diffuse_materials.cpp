@@ -25,7 +25,7 @@ Surface diffuse(const MaterialInputs& in, const desc::Value& sigma) {
           desc::kNone, !is_black};
 }
 
-/// What Mitsuba calls the parameters of our principled material. The defaults are the same.
+/// Mitsuba's names of the parameters of our principled material. Its defaults are ours.
 ModelName principled_names(bool thin) {
   ModelName names{"principled",
                   "principled",

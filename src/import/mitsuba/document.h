@@ -27,10 +27,10 @@ using ElementPointer = std::shared_ptr<const Element>;
 
 /// An element inside of another, or a reference to one that is elsewhere.
 struct Child {
-  std::string name;  ///< what it is to its parent; may be empty
+  std::string name;  ///< name in its parent; may be empty
   SourceLocation where;
   ElementPointer element;  ///< null for a reference
-  std::string id;          ///< of what is referred to
+  std::string id;          ///< id of the referenced element
 };
 
 /// `<bsdf type="diffuse" id="wall"> … </bsdf>`.
@@ -46,10 +46,10 @@ struct Element {
 struct Document {
   Element scene;
   std::map<std::string, ElementPointer> by_id;
-  int major_version = 3;  ///< of the Mitsuba that the file is for: 0, 2 or 3
-  SourceLocation end;     ///< of the file
+  int major_version = 3;  ///< Mitsuba's version that the file is for: 0, 2 or 3
+  SourceLocation end;     ///< end of the file
 
-  /// What a child is. Raises SceneError if there is no element of that id.
+  /// Element of a child. Raises SceneError if there is no element of that id.
   const Element& resolve(const Child& child) const;
 };
 

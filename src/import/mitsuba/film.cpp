@@ -85,7 +85,7 @@ desc::Filter make_filter(Arguments& arguments) {
   return filter;
 }
 
-/// Of the film that makes pictures for displays.
+/// Tone mapping of a film for displays.
 void read_tone(Arguments& arguments, desc::Film& film) {
   const std::string method = arguments.word("tonemap_method", "gamma");
   const float stops = arguments.number("exposure", 0.F);
@@ -149,7 +149,7 @@ void read_film(Context& context, const Element& element) {
                          printable(element.type));
     arguments.accept_all();
   }
-  // How the finished picture is written is for whoever asks for it.
+  // The format of the written file is the user's choice.
   arguments.accept({"file_format", "component_format", "gamma", "banner", "high_quality_edges",
                     "attach_log", "sample_border", "compensate", "variable", "digits"});
   context.scene.film = film;

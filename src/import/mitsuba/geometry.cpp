@@ -47,7 +47,7 @@ Geometry rectangle() {
 }
 
 Geometry cube() {
-  // How Mitsuba lays textures on the sides.
+  // Mitsuba's texture coordinates of the sides.
   static const std::array<Square, 6> kSides = {{{{-1, -1, -1}, {0, 0, 2}, {2, 0, 0}},
                                                 {{1, 1, 1}, {-2, 0, 0}, {0, 0, -2}},
                                                 {{1, -1, 1}, {0, 2, 0}, {0, 0, -2}},

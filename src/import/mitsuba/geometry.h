@@ -11,8 +11,8 @@ namespace ajar::mitsuba {
 struct Geometry {
   desc::Node node;
   Mat4 to_shape;           ///< from the space of our node to that of Mitsuba's shape
-  bool is_closed = false;  ///< nobody sees it from within, unless it is transparent
-  std::string name = {};   ///< of a file
+  bool is_closed = false;  ///< invisible from within, unless it is transparent
+  std::string name = {};   ///< name of a file
 };
 
 /// Empty, after a warning, for shapes that are not supported or make no sense.

@@ -33,7 +33,7 @@ const IntegratorName* find_integrator(std::string_view type) {
   return found == kIntegrators.end() ? nullptr : &*found;
 }
 
-/// Says what stands in for one that is unknown, and reads the one in it, which it watches over.
+/// Warns of the replacement of an unknown one, and reads its nested one.
 const Element& read_unknown(Arguments& arguments) {
   Context& context = arguments.context();
   const Element& element = arguments.element();
@@ -69,7 +69,7 @@ void read_sampler(Context& context, const Element& element) {
                            "the number of samples must be 1 or more: ignored");
     }
   }
-  // How a sampler of another kind distributes its numbers has no meaning for ours.
+  // Options of other samplers have no meaning for ours.
   arguments.accept({"seed", "scramble", "dimension", "jitter", "strength", "sample_shuffle"});
   if (!is_known(element)) arguments.accept_all();
 }
@@ -104,7 +104,7 @@ const Element& read_integrator(Context& context, const Element& element) {
         "\"hide_emitters\" of this version leaves the shapes of lights black: here "
         "it is what is behind them that is seen");
   }
-  // What only the methods themselves know.
+  // Parameters of single methods.
   arguments.accept({"rr_depth",
                     "strict_normals",
                     "shading_samples",

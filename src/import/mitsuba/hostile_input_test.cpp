@@ -27,7 +27,7 @@ std::string medium_with(const std::string& content) {
          "</medium></shape>";
 }
 
-TEST(MitsubaHostileInput, WhatIsWithinItselfIsRefused) {
+TEST(MitsubaHostileInput, CyclesAreRefused) {
   const auto spectrum = [](const std::string& type, const std::string& name) {
     return sphere_of("<bsdf type='diffuse'><spectrum name='reflectance' type='" + type +
                      "' id='a'><ref id='a' name='" + name + "'/></spectrum></bsdf>");
@@ -87,7 +87,7 @@ TEST(MitsubaHostileInput, MixesOfMixesAreRefusedBeforeTheyTakeLong) {
   }
 }
 
-TEST(MitsubaHostileInput, DoublingsOfShapesHaveAnEnd) {
+TEST(MitsubaHostileInput, ExponentialShapesAreRefused) {
   const auto doubled = [](const std::string& type, const std::string& shape) {
     return "<shape type='" + type + "' id='a0'>" + shape + "</shape>" +
            repeated("<shape type='" + type + "' id='a#'><ref id='a@'/><ref id='a@'/></shape>", 1,

@@ -1,4 +1,4 @@
-// What is common to all plugins: parameters, includes, ids, colours, transforms, messages.
+// Common features of all plugins: parameters, includes, ids, colours, transforms, messages.
 #include "color/color.h"
 #include "import/mitsuba/import_test_support.h"
 #include "import/mitsuba/names.h"
@@ -49,7 +49,7 @@ TEST(MitsubaLanguage, ParametersWithoutValueAreErrorsWithTheNearestName) {
             "<default> gives parameters a value, and so does -Dname=value");
 }
 
-TEST(MitsubaLanguage, ParametersFromOutsideThatNoSceneHasAreErrors) {
+TEST(MitsubaLanguage, UnknownParametersFromOutsideAreErrors) {
   const auto error_with = [](const std::string& text, const SceneDefinitions& definitions) {
     return error_in([&](Warnings& warnings) { import_with(text, warnings, {}, definitions); });
   };
@@ -65,7 +65,7 @@ TEST(MitsubaLanguage, ParametersFromOutsideThatNoSceneHasAreErrors) {
   EXPECT_EQ(error_with(world(""), {{"a", "1"}}), "test.xml:1:1: -Da: this scene has no parameters");
 }
 
-TEST(MitsubaLanguage, ParametersCannotGrowBeyondMeasure) {
+TEST(MitsubaLanguage, ParameterExpansionIsLimited) {
   std::string text = "<scene version=\"3.0.0\"><default name=\"a0\" value=\"xxxxxxxxxx\"/>";
   for (int i = 0; i < 30; ++i) {
     const std::string before = "$a" + std::to_string(i);
@@ -99,7 +99,7 @@ TEST(MitsubaLanguage, FilesThatIncludeThemselvesAreRefused) {
                "test.xml:2:1: cannot include this file"));
 }
 
-TEST(MitsubaLanguage, WhatIsNoFileIsNotRead) {
+TEST(MitsubaLanguage, PipesAndDevicesAreNotRead) {
   EXPECT_TRUE(
       contains(error_of("<scene version=\"3.0.0\"><include filename=\"/dev/zero\"/></scene>"),
                "only regular files can be read"));
@@ -149,7 +149,7 @@ TEST(MitsubaLanguage, UnknownPropertiesAreWarningsWithTheNearestName) {
   EXPECT_TRUE(contains(warnings_of("<mode type=\"final\"/>"), "<mode> is not an element"));
 }
 
-TEST(MitsubaLanguage, ValuesThatAreNoneAreErrors) {
+TEST(MitsubaLanguage, InvalidValuesAreErrors) {
   EXPECT_EQ(
       error_of(world("<shape type=\"sphere\"><float name=\"radius\" value=\"big\"/></shape>")),
       "test.xml:2:22: <float> \"radius\": \"value\" must be a number, not \"big\"");
@@ -230,7 +230,7 @@ TEST(MitsubaLanguage, TheLastStepOfATransformIsAppliedLast) {
       {7, 8, 9});
 }
 
-TEST(MitsubaLanguage, AttributesAndPropertiesThatMeanNothingAreWarnings) {
+TEST(MitsubaLanguage, MeaninglessAttributesAndPropertiesAreWarnings) {
   const auto expect_warning = [](const std::string& body, const std::string& text) {
     const std::string warnings = warnings_of(body);
     EXPECT_TRUE(contains(warnings, "test.xml:2:") && contains(warnings, text)) << warnings;
@@ -262,7 +262,7 @@ TEST(MitsubaLanguage, AttributesAndPropertiesThatMeanNothingAreWarnings) {
       "\"gamma\" is not supported");
 }
 
-TEST(MitsubaLanguage, WhatIsThereTwiceIsAWarning) {
+TEST(MitsubaLanguage, DuplicatesAreWarnings) {
   EXPECT_TRUE(
       contains(warnings_of("<shape type=\"sphere\"><float name=\"radius\" value=\"1\"/><float "
                            "name=\"radius\" value=\"2\"/></shape>"),
@@ -289,7 +289,7 @@ TEST(MitsubaLanguage, EmittedSpectraOfOneNumberAreEvenSinceVersion2) {
   expect_near(radiance("3.0.0", "<float name=\"radiance\" value=\"3\"/>"), Vec3(3.F));
 }
 
-TEST(MitsubaLanguage, SpectraThatAreUnknownHaveAStandIn) {
+TEST(MitsubaLanguage, UnknownSpectraHaveAReplacement) {
   const auto radiance = [](const std::string& spectrum, Warnings& warnings) {
     const desc::SceneDesc scene =
         import_with(world("<emitter type=\"constant\">" + spectrum + "</emitter>"), warnings);

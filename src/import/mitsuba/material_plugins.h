@@ -6,7 +6,7 @@
 
 namespace ajar::mitsuba {
 
-/// What a material is made of.
+/// Inputs of a material.
 struct MaterialInputs {
   Arguments& arguments;
   MaterialTable& materials;

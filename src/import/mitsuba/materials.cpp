@@ -43,7 +43,7 @@ void MaterialTable::check_depth(desc::MaterialId id, const SourceLocation& where
   const auto depth_of = [&](desc::MaterialId part) {
     return depths_.at(static_cast<std::size_t>(part));
   };
-  // Parts are made before what they are parts of.
+  // Parts are made before their owners.
   while (depths_.size() < context_.scene.materials.size()) {
     const desc::Node& node = context_.scene.materials[depths_.size()].node;
     depths_.push_back(node.is("mix") ? 1 + std::max(depth_of(node.material("first")),

@@ -6,7 +6,7 @@
 
 namespace ajar::mitsuba {
 
-/// What a BSDF of Mitsuba is to a shape of ours.
+/// Translation of a BSDF of Mitsuba for a shape of ours.
 struct Surface {
   desc::MaterialId material = desc::kNone;
   desc::TextureId alpha = desc::kNone;  ///< where it is 0, there is no surface
@@ -20,7 +20,7 @@ class MaterialTable {
   MaterialTable(Context& context, TextureTable& textures)
       : context_(context), textures_(textures) {}
 
-  /// Of `<bsdf>`. Raises SceneError for one that refers to itself.
+  /// Makes the surface of a `<bsdf>`. Raises SceneError for one that refers to itself.
   Surface make(const Element& bsdf);
   /// A diffuse one, for shapes without any.
   Surface diffuse(float reflectance);
@@ -44,7 +44,7 @@ class MaterialTable {
   Context& context_;
   TextureTable& textures_;
   std::map<const Element*, Surface> made_;
-  std::vector<int> depths_;  ///< of mixes within each material of the scene
+  std::vector<int> depths_;  ///< depths of mixes within each material of the scene
   std::map<float, desc::MaterialId> diffuse_;
   desc::MaterialId interface_ = desc::kNone;
 };

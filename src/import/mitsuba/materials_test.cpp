@@ -214,7 +214,7 @@ TEST(MitsubaMaterials, OpacitiesOfColoursAreNumbersSinceVersion2) {
   EXPECT_EQ(old.materials[material].node.color("amount"), Vec3(1.F, 0.F, 0.F));
 }
 
-TEST(MitsubaMaterials, WhatCoatsCannotShowIsSaid) {
+TEST(MitsubaMaterials, UnsupportedOptionsOfCoatsAreWarnings) {
   const auto warnings = [](const std::string& bsdf) { return MaterialOf(bsdf).warnings; };
   EXPECT_TRUE(
       contains(warnings("<bsdf type=\"plastic\"><float name=\"int_ior\" value=\"1\"/><float "
@@ -285,7 +285,7 @@ TEST(MitsubaMaterials, MetalsOfVersionsForGlintsHaveTheirReflectance) {
   EXPECT_TRUE(contains(metal.warnings, "a metal of that reflectance stands in")) << metal.warnings;
 }
 
-TEST(MitsubaMaterials, NormalMapsTiltWhatIsInThem) {
+TEST(MitsubaMaterials, NormalMapsTiltTheirNestedMaterial) {
   const MaterialOf tilted("<bsdf type=\"normalmap\">" + kNormalMap +
                           "<bsdf type=\"diffuse\"/></bsdf>");
   EXPECT_EQ(tilted.warnings, "");
@@ -393,7 +393,7 @@ TEST(MitsubaMaterials, ThinPrincipledIsASplitSheet) {
   EXPECT_EQ(leaf.warnings, "");
   EXPECT_EQ(leaf.node().number("diffuse_transmission"), 0.25F);
   EXPECT_EQ(leaf.node().number("specular_transmission"), 0.25F);
-  // What only one of the two has.
+  // Parameters of only one of the two.
   EXPECT_TRUE(contains(
       MaterialOf("<bsdf type=\"principledthin\">" + number("metallic") + "</bsdf>").warnings,
       "has no property \"metallic\""));
@@ -495,7 +495,7 @@ TEST(MitsubaTextures, CheckerboardsHaveTwoSquaresPerUnit) {
   EXPECT_NEAR(weight.color("first").x, 0.4F, 1e-6F) << "the same as a number before version 2";
 }
 
-TEST(MitsubaMaterials, CoatsThatAbsorbAreWarnedOf) {
+TEST(MitsubaMaterials, AbsorbingCoatsAreWarnings) {
   const auto coat = [](const std::string& base) {
     return MaterialOf(
         "<bsdf type=\"coating\"><rgb name=\"sigma_a\" value=\"1 2 3\"/><float "
@@ -509,7 +509,7 @@ TEST(MitsubaMaterials, CoatsThatAbsorbAreWarnedOf) {
   EXPECT_TRUE(coat("roughdiffuse").node().is("coated_diffuse"));
 }
 
-TEST(MitsubaMaterials, MetalsThatAreBlackThereAreToldOf) {
+TEST(MitsubaMaterials, MetalsBlackInMitsubaAreWarnings) {
   const auto warns = [](const std::string& numbers) {
     return contains(MaterialOf("<bsdf type=\"principled\">" + numbers + "</bsdf>").warnings,
                     "in Mitsuba metal is black with a \"specular\" of 0");

@@ -25,8 +25,8 @@ constexpr WarningKind kNegative{Effect::Slight, "coefficients of media are negat
 
 constexpr const char* kUsualPreset = "Skin1";
 
-/// What Mitsuba 0.x has by a name in small letters: the coefficients of the sources by 100, but for
-/// a digit; the scattering is the reduced one, and isotropic. Source: its table of materials.
+/// Presets of Mitsuba 0.x, by names in small letters: the coefficients of the sources by 100, but
+/// for a digit; the scattering is the reduced one, and isotropic. Source: its table of materials.
 std::optional<ScatteringPreset> find_preset(const std::string& name) {
   const bool is_beer = name == "budweiser beder";
   const bool is_orange = name == "orange juice powder";
@@ -41,7 +41,7 @@ std::optional<ScatteringPreset> find_preset(const std::string& name) {
   return preset;
 }
 
-/// Of the preset "material", or of skin, which Mitsuba 0.x takes if nothing is said.
+/// The preset "material", or skin, the default of Mitsuba 0.x.
 ScatteringPreset preset_of(Arguments& arguments) {
   const std::string name = arguments.text("material", kUsualPreset);
   if (const std::optional<ScatteringPreset> preset = find_preset(lower_case(name))) return *preset;
@@ -53,7 +53,7 @@ ScatteringPreset preset_of(Arguments& arguments) {
   return *find_preset(lower_case(kUsualPreset));
 }
 
-/// What Mitsuba 2 and 3 take if nothing is said.
+/// Defaults of Mitsuba 2 and 3.
 constexpr float kDefaultExtinction = 1.F;
 constexpr float kDefaultAlbedo = 0.75F;
 

@@ -10,7 +10,7 @@ class MediumTable {
  public:
   explicit MediumTable(Context& context) : context_(context) {}
 
-  /// Of `<medium>`. Unknown ones become homogeneous, with a warning.
+  /// Makes the medium of a `<medium>`. Unknown ones become homogeneous, with a warning.
   desc::MediumId make(const Element& medium);
   /// The one that a plugin calls `name`, such as "interior"; none if there is none.
   desc::MediumId find(Arguments& arguments, std::string_view name);

@@ -73,7 +73,7 @@ TEST(MitsubaMedia, GridsOfVersion0HaveTheirCornersWhereTheFileSays) {
 
 /// Its bounds are those of the volume: Mitsuba 3.9 shows a sphere of 1.5 with such a medium in one
 /// of its eight parts alone.
-TEST(MitsubaMedia, HeterogeneousOnesThatAreTheSameEverywhereFillACubeSinceVersion2) {
+TEST(MitsubaMedia, ConstantHeterogeneousOnesFillACubeSinceVersion2) {
   const std::string half = "<float name=\"value\" value=\"0.5\"/>";
   const auto volume = [](const std::string& content) {
     return "<volume name=\"sigma_t\" type=\"constvolume\">" + content + "</volume>";
@@ -188,7 +188,7 @@ TEST(MitsubaMedia, AlbedosOfAnotherGridAreLookedUpAtThePointsOfTheDensity) {
   EXPECT_TRUE(contains(text, "test.xml:2:") && contains(text, "in another grid")) << text;
 }
 
-TEST(MitsubaMedia, WhatVariesBesideAConstantDensityIsItsMeanWithAWarning) {
+TEST(MitsubaMedia, VaryingAlbedoOfAConstantDensityIsItsMeanWithAWarning) {
   const Files files = {
       {"a.vol", grid_file(1, {2, 1, 1}, 3, floats({0, 0, 0.25F, 0.5F, 0.5F, 0.25F}))}};
   Warnings warnings;
@@ -257,7 +257,7 @@ TEST(MitsubaMedia, PresetsOfVersion0AreAHundredTimesTheirSources) {
       {2.29F, 2.39F, 1.97F});
 }
 
-TEST(MitsubaMedia, WhatVersion0IsNotToldIsSkin) {
+TEST(MitsubaMedia, DefaultOfVersion0IsSkin) {
   const Vec3 skin_s(74, 88, 101);
   const Vec3 skin_a(3.2F, 17, 48);
   expect_near(homogeneous("").sigma_s, skin_s, 1e-3F);

@@ -36,7 +36,7 @@ bool wants_materials(Arguments& arguments) {
          arguments.flag("load_materials", true) && arguments.children("bsdf").empty();
 }
 
-/// Which of several meshes of a file is meant; nothing for all of them.
+/// Index of the selected mesh of a file; nothing for all of them.
 std::optional<long long> index_of(Arguments& arguments) {
   const std::string& type = arguments.element().type;
   if (type == "serialized") return arguments.integer("shape_index").value_or(0);

@@ -8,7 +8,7 @@
 namespace ajar {
 namespace {
 
-/// `path` tells the file apart from those it includes.
+/// `path` identifies the file among those it includes.
 desc::SceneDesc import_text(std::string_view text, const std::string& name, const std::string& path,
                             const std::string& base_folder, Warnings& warnings,
                             FileProvider provider, const SceneDefinitions& definitions) {

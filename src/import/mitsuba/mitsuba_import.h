@@ -19,7 +19,7 @@ desc::SceneDesc import_mitsuba(const std::string& path, Warnings& warnings,
                                const FileProvider& provider = {},
                                const SceneDefinitions& definitions = {});
 
-/// The same for text in memory. `name` stands in messages; other files are looked up relative to
+/// Reads text in memory. `name` stands in messages; other files are looked up relative to
 /// `base_folder`, at `provider` first, then on the disk.
 desc::SceneDesc import_mitsuba_text(std::string_view text, const std::string& name,
                                     const std::string& base_folder, Warnings& warnings,

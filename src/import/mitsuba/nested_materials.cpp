@@ -104,7 +104,7 @@ std::optional<desc::TextureId> texture_of_relief(const MaterialInputs& in, bool 
 /// The material in this one with this relief.
 Surface with_relief(const MaterialInputs& in, desc::TextureId bump,
                     const desc::NormalMap& normal_map) {
-  // False is what versions without these words do.
+  // False is the behaviour of versions without these words.
   for (const char* name : {"use_shadowing_function", "flip_invalid_normals"}) {
     if (!in.arguments.flag(name, false)) continue;
     in.context().warnings.add(kShadowing, in.where(),
@@ -183,7 +183,7 @@ Surface make_mixture(const MaterialInputs& in) {
   in.arguments.accept({"ensure_energy_conservation"});
   double rest = std::accumulate(weights->begin(), weights->end(), 0.0);
   if (!(rest > 0.0)) return {in.materials.black()};
-  // What the weights leave is absorbed; what is too much is taken from all.
+  // Missing weight is absorption; an excess scales all parts.
   const double absorbed = std::max(1.0 - rest, 0.0);
   Surface result{absorbed > 0.0 ? in.materials.black() : part_of(in, parts.back()).id};
   rest = absorbed > 0.0 ? absorbed : weights->back();

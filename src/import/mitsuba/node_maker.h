@@ -8,8 +8,8 @@
 
 namespace ajar::mitsuba {
 
-/// A node of our model `name`. Numbers and colours that the model does not allow are brought into
-/// its range, with a warning at `where`.
+/// A node of our model `name`. Numbers and colours that the model does not allow are clamped to its
+/// range, with a warning at `where`.
 desc::Node make_node(Context& context, const SourceLocation& where, desc::ModelKind kind,
                      std::string_view name, desc::Node::Given given = {});
 /// Sets one parameter in the same way.

@@ -25,8 +25,7 @@ constexpr std::array<std::string_view, 14> kPluginTags = {
     "bsdf",    "emitter", "film",   "integrator", "medium",     "phase",   "rfilter",
     "sampler", "scene",   "sensor", "shape",      "subsurface", "texture", "volume"};
 
-/// Whether a number or a colour names a plugin: it is then what that makes, a texture or the same
-/// everywhere.
+/// True if a number or a colour names a plugin: it is then the plugin's texture or constant.
 bool is_typed_value(const pugi::xml_node& node) {
   return node.attribute("type") && is_value_tag(node.name());
 }

@@ -15,11 +15,11 @@ namespace ajar::mitsuba {
 /// parameters in place, reads properties, and collects ids. Knows no plugin.
 class Parser {
  public:
-  /// `given` takes precedence over what files define by `<default>`.
+  /// `given` takes precedence over `<default>` in files.
   Parser(SearchPath& files, Warnings& warnings, SceneDefinitions given)
       : files_(files), warnings_(warnings), definitions_(std::move(given)) {}
 
-  /// `name` stands in messages, `path` tells files apart. Raises SceneError.
+  /// `name` is used in messages, `path` identifies the file. Raises SceneError.
   Document parse(std::string_view text, const std::string& name, const std::string& path);
 
  private:
@@ -36,7 +36,7 @@ class Parser {
   };
 
   void read_version(const XmlFile& file);
-  /// What is between the tags of an element.
+  /// Reads the content of an element.
   void read_content(const Source& source, Element& parent, int depth);
   void read_one(const Source& source, Element& parent, int depth);
   ElementPointer read_element(const Source& source, int depth);

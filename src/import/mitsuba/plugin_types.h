@@ -7,8 +7,8 @@
 
 namespace ajar::mitsuba {
 
-/// The types of plugins that are read, by the tag of their element; empty for other tags. What is
-/// not in here is unknown to its reader, too.
+/// The types of plugins that are read, by the tag of their element; empty for other tags. Others
+/// are unknown to their reader, too.
 const std::vector<std::string>& plugin_types(std::string_view tag);
 
 bool is_known(const Element& element);

@@ -12,9 +12,9 @@
 
 namespace ajar::mitsuba {
 
-/// Whether elements of this tag are properties, such as "float" and "transform".
+/// True if elements of this tag are properties, such as "float" and "transform".
 bool is_property_tag(std::string_view tag);
-/// Whether they are numbers or colours, which a plugin can be instead.
+/// True if they are numbers or colours, which a plugin can be instead.
 bool is_value_tag(std::string_view tag);
 
 /// Reads the value of properties: numbers, colours in all their spellings, transforms.
@@ -24,7 +24,7 @@ class PropertyReader {
                  Warnings& warnings, Seen seen)
       : file_(file), definitions_(definitions), files_(files), warnings_(warnings), seen_(seen) {}
 
-  /// Raises SceneError for values that are not what the tag says. Nothing, after a warning, if the
+  /// Raises SceneError for values that are invalid for the tag. Nothing, after a warning, if the
   /// value is in a file that cannot be used.
   std::optional<PropertyValue> read(const pugi::xml_node& node) const;
 
@@ -44,7 +44,7 @@ class PropertyReader {
   /// From one attribute.
   std::optional<Vec3d> triple_in(const pugi::xml_node& node, const char* attribute) const;
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& message) const;
-  /// The message for a value that is not "a number", or whatever is expected.
+  /// The message for a value that is not "a number", or of another expected kind.
   [[noreturn]] void fail_value(const pugi::xml_node& node, const char* attribute,
                                const std::string& expected) const;
 
@@ -52,7 +52,7 @@ class PropertyReader {
   Definitions& definitions_;
   const SearchPath& files_;
   Warnings& warnings_;
-  Seen seen_;  ///< how its spectra are
+  Seen seen_;  ///< conversion of its spectra
 };
 
 }  // namespace ajar::mitsuba

@@ -6,13 +6,13 @@
 
 namespace ajar::mitsuba {
 
-/// How the facets of a rough surface lie.
+/// Roughness of a surface's microfacets.
 struct Roughness {
   desc::Value alpha;                   ///< or that along u
   std::optional<desc::Value> alpha_v;  ///< if it is another one
   std::string distribution;            ///< "ggx" or "beckmann"
 
-  /// Sets "roughness", and of "roughness_v", "distribution" and "masking" what the model has.
+  /// Sets "roughness", and "roughness_v", "distribution" and "masking" if the model has them.
   void set(desc::Node& node) const;
 };
 

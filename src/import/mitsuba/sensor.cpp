@@ -36,7 +36,7 @@ desc::PerspectiveCamera perspective(Arguments& arguments, double aspect) {
   const float x = arguments.number("principal_point_offset_x", 0.F);
   const float y = arguments.number("principal_point_offset_y", 0.F);
   if (x != 0.F || y != 0.F) {
-    // Shares of the film by which what is seen moves, to the left and up. Source: Mitsuba 3,
+    // Shifts of the picture to the left and up, as shares of the film. Source: Mitsuba 3,
     // perspective.cpp, which adds them to the place on the film.
     const auto wide = static_cast<float>(std::max(aspect, 1.0));
     const auto high = static_cast<float>(std::max(1.0 / aspect, 1.0));
@@ -61,7 +61,7 @@ void set_lens(Arguments& arguments, Camera& camera) {
 }
 
 desc::OrthographicCamera orthographic(double aspect) {
-  // Mitsuba shows x from -1 to 1, whatever the shape of the film.
+  // Mitsuba shows x from -1 to 1, for any shape of the film.
   desc::OrthographicCamera camera;
   const auto height = static_cast<float>(1.0 / aspect);
   camera.window = desc::ScreenWindow{-1.F, 1.F, -height, height};
@@ -137,7 +137,7 @@ void read_sensor(Context& context, MediumTable& media, const Element& element) {
   // Rounded, so that other formats, which say the inverse, can say the same.
   camera.to_world = rounded_inverse(*from_world).value_or(to_world);
   if (const Element* medium = arguments.only_child("medium")) camera.medium = media.make(*medium);
-  // What Mitsuba takes if nothing is said cuts nothing off that is usual.
+  // Mitsuba's defaults clip nothing of usual scenes.
   const float near_clip = arguments.number("near_clip", kNear);
   const float far_clip = arguments.number("far_clip", kFar);
   const auto warn_if_seen = [&](desc::WarningIfSeen::If condition, float depth,

@@ -6,15 +6,14 @@
 
 namespace ajar::mitsuba {
 
-/// Sets camera, film and sampler of the scene from `<sensor>`. Raises SceneError for what makes no
-/// sense.
+/// Sets camera, film and sampler of the scene from `<sensor>`. Raises SceneError for invalid
+/// values.
 void read_sensor(Context& context, MediumTable& media, const Element& sensor);
 
 /// The camera of a scene without a sensor: it sees all from the side of −z.
 void look_at_everything(Context& context);
 
-// In film.cpp:
-/// What Mitsuba takes if nothing is said.
+// In film.cpp: Mitsuba's defaults.
 desc::Film default_film(const SourceLocation& where);
 void read_film(Context& context, const Element& film);
 

@@ -125,7 +125,7 @@ std::vector<Imath::Vec3<unsigned>> take_triangles(Reader& body, std::uint64_t co
     for (int i = 0; i < 3; ++i) {
       const std::uint64_t vertex =
           has_long_indices ? body.take<std::uint64_t>() : body.take<std::uint32_t>();
-      // What is beyond is refused with all that is out of range.
+      // Larger indices are refused with all that are out of range.
       triangle[i] = static_cast<unsigned>(
           std::min<std::uint64_t>(vertex, std::numeric_limits<unsigned>::max()));
     }
@@ -156,7 +156,7 @@ desc::Mesh read_serialized(std::string_view bytes, const std::string& name, long
   if ((flags & kHasUvs) != 0) mesh.uvs = body.take_vectors<Vec2>(vertices, 2, is_double);
   if ((flags & kHasColors) != 0) body.skip_vectors(vertices, 3, is_double);
   mesh.indices = take_triangles(body, triangles, vertices > 0xFFFFFFFFU);
-  // The flag 0x10 says that the mesh is faceted; what renders these files goes by the normals.
+  // The flag 0x10 marks a faceted mesh; renderers of these files go by the normals.
   return mesh;
 }
 

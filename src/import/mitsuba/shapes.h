@@ -22,11 +22,11 @@ class ShapeBuilder {
         media_(media),
         meshes_(meshes) {}
 
-  /// Of `<shape>` in the scene.
+  /// Adds a `<shape>` of the scene.
   void add(const Element& shape);
 
  private:
-  /// Of a single shape; nothing, after a warning, if there is none to see.
+  /// Makes a single shape; nothing, after a warning, if there is none to see.
   std::optional<desc::Shape> make(const Element& shape, bool is_in_group);
   /// The shapes in a merge or a group.
   void add_parts(const Element& whole, std::vector<desc::Shape>& shapes, bool is_in_group);
@@ -43,7 +43,7 @@ class ShapeBuilder {
   MediumTable& media_;
   MeshLoader& meshes_;
   std::map<const Element*, desc::ObjectId> objects_;
-  /// Those of merges and groups, which refer to one more than once; with and without emission.
+  /// Shapes of merges and groups, which refer to one more than once; with and without emission.
   std::map<std::pair<const Element*, bool>, std::optional<desc::Shape>> parts_;
   std::size_t part_count_ = 0;  ///< each as often as it is referred to
   std::set<const Element*> warned_of_back_;

@@ -243,7 +243,7 @@ TEST(MitsubaShapes, TexturesOfDisksRunOutwardAndThenAround) {
   EXPECT_EQ(scene.shapes[0].node.text("coordinates"), "radius_then_angle");
 }
 
-TEST(MitsubaShapes, WhatCannotBeDrawnIsLeftOut) {
+TEST(MitsubaShapes, UnsupportedOnesAreLeftOut) {
   EXPECT_TRUE(contains(warnings_of("<shape type=\"sdfgrid\"/>"), "unknown shape \"sdfgrid\""));
   EXPECT_TRUE(contains(warnings_of("<shape type=\"sphere\"><transform name=\"to_world\"><scale "
                                    "x=\"0\"/></transform></shape>"),
@@ -301,12 +301,12 @@ TEST(SerializedMeshes, OfBothVersionsAreFoundByTheirIndex) {
   EXPECT_EQ(read_serialized(serialized(4, 3.F), "m", 0).positions[0].x, 3.F);
 }
 
-TEST(SerializedMeshes, KeepTheirNormalsWhateverTheyAreCalled) {
+TEST(SerializedMeshes, KeepTheirNormalsWithAnyFlags) {
   const desc::Mesh faceted = read_serialized(serialized(4, 0.F, 0x11U), "m", 0);
   EXPECT_EQ(faceted.normals, std::vector<Vec3>(3, Vec3(0.F, 0.F, 1.F)));
 }
 
-TEST(SerializedMeshes, ThatAreDamagedAreRefused) {
+TEST(SerializedMeshes, DamagedOnesAreRefused) {
   const std::string file = two_meshes<std::uint64_t>(4);
   for (std::size_t size = 0; size < serialized(4, 5.F).size(); ++size) {
     EXPECT_THROW(read_serialized(file.substr(0, size), "m", 0), SceneError) << size;

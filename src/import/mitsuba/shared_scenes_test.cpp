@@ -18,7 +18,7 @@ struct Expected {
   std::size_t shapes;
   std::size_t lights;  ///< area lights included
   std::size_t warnings;
-  /// Of those, what is more than slight.
+  /// Number of those with more than a slight effect.
   std::size_t that_matter = 0;
 };
 void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.file; }

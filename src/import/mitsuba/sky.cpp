@@ -50,7 +50,7 @@ Vec3d direction_of(const SunPosition& sun, bool z_is_up) {
   return z_is_up ? Vec3d(-north, -east, up) : Vec3d(east, up, -north);
 }
 
-/// What there is in the world. "sun_direction" is in world space, whatever the transform.
+/// Sky of the world. "sun_direction" is in world space, whatever the transform.
 Daylight read_daylight(Arguments& arguments, bool z_is_up, const Mat4& to_world) {
   Daylight daylight;
   daylight.turbidity = arguments.number("turbidity", 3.F);
@@ -94,7 +94,7 @@ void add_sun_and_sky(Context& context, Arguments& arguments) {
   const double sun_scale = arguments.number("sun_scale", 1.F) * scale;
   const double sky_scale = arguments.number("sky_scale", 1.F) * scale;
   warn(context, arguments, daylight);
-  // Of the disk of the sun, of the ground, and of how both are computed.
+  // Options of the sun's disk, of the ground, and of the computation of both.
   arguments.accept({"sun_radius_scale", "sun_aperture", "albedo", "resolution", "sampling_weight",
                     "complex_sun"});
   if (!inverse(to_world) || !(daylight.to_sun.length() > 0.0)) {

@@ -12,7 +12,7 @@ std::span<const std::string_view> spectrum_types();
 bool is_spectrum(const Element& element);
 
 /// The colour of a texture of one of these types; of others, with a warning, its "value". Raises
-/// SceneError if it lacks what it needs.
+/// SceneError if a required property is missing.
 desc::Rgb evaluate_spectrum(Context& context, const Element& element);
 
 }  // namespace ajar::mitsuba

@@ -23,7 +23,7 @@ desc::Node dielectric(const MaterialInputs& in, bool thin) {
   return node;
 }
 
-/// What a scene says of the index of a metal, relative to vacuum.
+/// Index of refraction that a scene gives for a metal, relative to vacuum.
 struct GivenIndex {
   std::string material;
   std::optional<desc::Value> eta, k;
@@ -60,7 +60,7 @@ void set_index(const MaterialInputs& in, GivenIndex given, desc::Node& node) {
   node.set("k", in.textures.scaled(in.where(), *given.k, desc::Rgb(1.F / outside)));
 }
 
-/// A metal that reflects only a share of what it should: a mix with black.
+/// A metal that reflects only a share of its reflectance: a mix with black.
 Surface tinted(const MaterialInputs& in, desc::Node metal) {
   const desc::Value tint = in.textures.color(in.arguments, "specular_reflectance", desc::Rgb(1.F));
   const desc::MaterialId id = in.materials.add(in.arguments.element(), std::move(metal));

@@ -1,4 +1,4 @@
-// What stands in for plugins that there are no others like (docs/reference/formats-mitsuba.md).
+// Replacements for plugins without an equivalent (docs/reference/formats-mitsuba.md).
 #include <algorithm>
 #include <map>
 
@@ -7,7 +7,7 @@
 namespace ajar::mitsuba {
 namespace {
 
-/// What is imported, and what is said of it.
+/// An imported scene, and its warnings.
 struct Imported {
   explicit Imported(const std::string& text, const Files& files = {}) {
     Warnings of_import;
@@ -22,7 +22,7 @@ Imported seen_through(const std::string& sensor) {
   return Imported("<scene version='3.0.0'>" + sensor + "<shape type='sphere'/></scene>");
 }
 
-TEST(MitsubaStandIns, AreWarnedOfAtTheirPlace) {
+TEST(MitsubaStandIns, HaveLocatedWarnings) {
   struct Case {
     std::string body;
     std::string warning;
@@ -57,7 +57,7 @@ TEST(MitsubaStandIns, IntegratorsOfExplicitPathsAreOurs) {
   }
 }
 
-TEST(MitsubaStandIns, IntegratorsThatWatchOverAnotherAreThatOne) {
+TEST(MitsubaStandIns, WrapperIntegratorsAreTheirNestedOne) {
   const std::string path =
       "<integrator type='bdpt'><integer name='max_depth' value='7'/></integrator>";
   const Imported watched(world(
@@ -71,7 +71,7 @@ TEST(MitsubaStandIns, IntegratorsThatWatchOverAnotherAreThatOne) {
                            "<integrator type=\"foo\"> has more of <integrator> than it can use"}) {
     EXPECT_TRUE(contains(watched.warnings, part)) << part << watched.warnings;
   }
-  // What is in one that watches over nothing has no meaning.
+  // Nested integrators without a parent of their kind have no meaning.
   const Imported path_in_path(world("<integrator type='path'>" + path + "</integrator>"));
   EXPECT_EQ(path_in_path.scene.hints.integrator, "pt");
   EXPECT_TRUE(contains(path_in_path.warnings, "has no property \"integrator\""))
@@ -156,7 +156,7 @@ TEST(MitsubaStandIns, TelecentricCamerasAreOrthographicWithALens) {
       << "a camera without a lens";
 }
 
-TEST(MitsubaStandIns, WhatSensorsCannotDoIsSaid) {
+TEST(MitsubaStandIns, UnsupportedOptionsOfSensorsAreWarnings) {
   EXPECT_TRUE(contains(seen_through("<sensor type='perspective'><spectrum name='srf' "
                                     "value='400:1 700:0'/></sensor>")
                            .warnings,
@@ -177,7 +177,7 @@ TEST(MitsubaStandIns, MergesAreTheirParts) {
   EXPECT_EQ(scene.shapes[1].name, "b");
 }
 
-TEST(MitsubaStandIns, CachesOfVolumesAreWhatIsInThem) {
+TEST(MitsubaStandIns, CachesOfVolumesAreTheirContent) {
   const desc::SceneDesc scene = scene_of(
       "<shape type='cube'><medium type='heterogeneous' name='interior'><volume name='sigma_t' "
       "type='volcache'><volume type='volcache'><volume type='constvolume'><float name='value' "
@@ -186,7 +186,7 @@ TEST(MitsubaStandIns, CachesOfVolumesAreWhatIsInThem) {
   expect_near(scene.media.at(0).sigma_a, Vec3(3.F));
 }
 
-TEST(MitsubaStandIns, MotionBeginsWhereItBegins) {
+TEST(MitsubaStandIns, MotionIsFrozenAtItsStart) {
   const Imported moving(
       world("<shape type='sphere'><animation name='to_world'><transform time='0'><translate "
             "x='3'/></transform><transform time='1'><translate x='9'/></transform></animation>"
@@ -228,8 +228,8 @@ TEST(MitsubaStandIns, FiltersAreThoseOfTheirNames) {
   EXPECT_EQ(lobes.radius, Vec2(4.F));
 }
 
-/// What Mitsuba 0.6 takes for the film of matrices.
-TEST(MitsubaStandIns, MatricesBeginWithOneNumber) {
+/// Defaults of Mitsuba 0.6's film for matrices.
+TEST(MitsubaStandIns, MatrixFilmsHaveMitsubasDefaults) {
   const Imported seen = seen_through("<sensor type='perspective'><film type='mfilm'/></sensor>");
   EXPECT_EQ(seen.scene.film.resolution, Vec2i(1, 1));
   EXPECT_TRUE(std::holds_alternative<desc::BoxFilter>(seen.scene.film.filter.node));
@@ -245,7 +245,7 @@ TEST(MitsubaStandIns, DaylightHasTheColourThatItIsGiven) {
   EXPECT_EQ(scene.lights.at(1).node.color("radiance"), Vec3(1.F));
 }
 
-TEST(MitsubaStandIns, CoefficientsThatAreGivenTwiceAreWarnings) {
+TEST(MitsubaStandIns, DuplicateCoefficientsAreWarnings) {
   const auto medium = [](const std::string& version, const std::string& content) {
     return Imported("<scene version='" + version +
                     "'><sensor type='perspective'/><shape type='cube'><medium "

@@ -23,7 +23,7 @@ desc::Node constant(const desc::Rgb& value) {
   return desc::texture_node("constant", {{"value", Vec3(value)}});
 }
 
-/// What Mitsuba calls it, and whether ours is the same.
+/// Mitsuba's name of it, and whether ours is equivalent.
 std::pair<std::string, bool> wrap_of(const std::string& mode) {
   if (mode == "clamp" || mode == "repeat") return {mode, true};
   if (mode == "zero" || mode == "black") return {"black", true};
@@ -49,7 +49,7 @@ float number_of(const desc::Rgb& color, bool mean) {
 std::optional<float> decoding_exponent(Arguments& bitmap) {
   const std::optional<double> gamma = bitmap.number("gamma");
   if (bitmap.flag("raw", false)) return 1.F;
-  // Mitsuba 0.x takes -1 for the curve of sRGB, and 0 for what the file says.
+  // Mitsuba 0.x takes -1 for the curve of sRGB, and 0 for the file's own.
   return gamma && *gamma > 0.0 ? std::optional(static_cast<float>(*gamma)) : std::nullopt;
 }
 

@@ -21,8 +21,8 @@ class TextureTable {
   /// The colour or the texture that `name` is of a plugin; nothing if it is not given.
   std::optional<desc::Value> find_color(Arguments& arguments, std::string_view name);
   desc::Value color(Arguments& arguments, std::string_view name, const desc::Rgb& fallback);
-  /// The same for numbers. Of a colour Mitsuba 0.x takes the mean as a number, later ones the
-  /// luminance.
+  /// A texture or a number. A colour's number is its mean in Mitsuba 0.x, its luminance in later
+  /// ones.
   std::optional<desc::Value> find_number(Arguments& arguments, std::string_view name);
   desc::Value number(Arguments& arguments, std::string_view name, float fallback);
 
@@ -32,7 +32,7 @@ class TextureTable {
   /// `factor` times a number or a texture.
   desc::Value scaled(const SourceLocation& where, const desc::Value& value, float factor);
 
-  /// The same everywhere.
+  /// Adds a constant texture.
   desc::TextureId add_constant(const SourceLocation& where, const desc::Rgb& color);
   /// An image file as it is, without decoding.
   desc::TextureId add_vectors(const SourceLocation& where, const std::string& file);
@@ -44,7 +44,7 @@ class TextureTable {
 
  private:
   enum class Role { Color, Mean, Luminance };
-  /// Of what is one number.
+  /// Role of a single number.
   Role number_role() const;
   desc::TextureId make(const Element& element, Role role);
   desc::Node read(const Element& element, Role role);

@@ -1,4 +1,4 @@
-// Lights, camera, film, and what a scene asks of the renderer.
+// Lights, camera, film, and render settings of a scene.
 #include <cmath>
 
 #include "import/mitsuba/import_test_support.h"
@@ -32,7 +32,7 @@ TEST(MitsubaView, CamerasAreNotMirrored) {
   const desc::SceneDesc scene = seen_by(
       "<sensor type=\"perspective\"><transform name=\"to_world\"><lookat origin=\"0, 0, 5\" "
       "target=\"0, 0, 0\" up=\"0, 1, 0\"/></transform></sensor>");
-  // In Mitsuba's right-handed world, who looks along -z with +y up has +x to the right.
+  // Looking along -z with +y up, +x is to the right in Mitsuba's right-handed world.
   const Mat4& m = scene.camera.to_world;
   expect_near(transform_point(m, {0, 0, 0}), {0, 0, 5});
   expect_near(transform_vector(m, {0, 0, 1}), {0, 0, -1});
@@ -40,7 +40,7 @@ TEST(MitsubaView, CamerasAreNotMirrored) {
   expect_near(transform_vector(m, {0, 1, 0}), {0, 1, 0});
 }
 
-TEST(MitsubaView, WithoutASensorAllIsSeenAlongZ) {
+TEST(MitsubaView, DefaultSensorLooksAlongZ) {
   Warnings warnings;
   const desc::SceneDesc scene = import_with(
       "<scene version=\"3.0.0\"><shape type=\"sphere\"><point name=\"center\" x=\"5\" y=\"1\" "
@@ -55,7 +55,7 @@ TEST(MitsubaView, WithoutASensorAllIsSeenAlongZ) {
               degrees(tangent(45.F) * 0.75F), 1e-3F);
 }
 
-TEST(MitsubaView, IntegratorsThatLeaveOutMediaAreAWarning) {
+TEST(MitsubaView, SurfaceOnlyIntegratorsAreAWarning) {
   const auto warnings = [](const std::string& integrator) {
     return warnings_of("<integrator type=\"" + integrator +
                        "\"/><shape type=\"sphere\"><medium name=\"interior\" "
@@ -100,7 +100,7 @@ TEST(MitsubaView, FocalLengthsAreOfAFilmOf35Millimetres) {
 }
 
 /// An offset is added to the place on the film, as fractions of it from the upper left corner.
-TEST(MitsubaView, PrincipalPointsMoveWhatIsSeenToTheLeftAndUp) {
+TEST(MitsubaView, PrincipalPointsShiftThePictureLeftAndUp) {
   const desc::SceneDesc scene =
       seen_by("<sensor type=\"perspective\">" + kWide +
               "<float name=\"principal_point_offset_x\" value=\"0.25\"/>"
@@ -173,7 +173,7 @@ TEST(MitsubaFilm, ExposureOfDisplaysMultipliesAndToneMapsAreWarnings) {
       "beyond what a float holds"));
 }
 
-TEST(MitsubaView, FilmsHaveMitsubasSizeIfNothingIsSaid) {
+TEST(MitsubaView, FilmsHaveMitsubasDefaultSize) {
   for (const char* film : {"", "<film type=\"hdrfilm\"/>"}) {
     const desc::Film seen =
         seen_by("<sensor type=\"perspective\">" + std::string(film) + "</sensor>").film;
@@ -284,7 +284,7 @@ TEST(MitsubaLights, SkiesAreClearOnesWithTheSunInTheWorldsDirection) {
   }
 }
 
-TEST(MitsubaLights, SunsStandWhereTheDateHasThem) {
+TEST(MitsubaLights, SunsFollowTheDate) {
   // Noon at the equator in June: the sun is in the north, 23.4 degrees from the zenith.
   const std::string june =
       "<integer name=\"month\" value=\"6\"/><integer name=\"day\" value=\"21\"/><float "
@@ -302,7 +302,7 @@ TEST(MitsubaLights, SunsStandWhereTheDateHasThem) {
   EXPECT_TRUE(daylight_of("<float name=\"hour\" value=\"0\"/>").lights.empty());
 }
 
-TEST(MitsubaLights, SkiesSayWhatStandsIn) {
+TEST(MitsubaLights, SkiesWarnOfTheirReplacement) {
   const std::string said = warnings_of(
       "<emitter type=\"sunsky\"><float name=\"turbidity\" value=\"1\"/><float name=\"stretch\" "
       "value=\"1.5\"/><float name=\"turbidty\" value=\"1\"/></emitter>");

@@ -46,7 +46,7 @@ VolumeFile read_volume_file(std::string_view bytes, const SourceLocation& where)
     file.low[axis] = number_at<float>(bytes, 24 + 4 * index);
     file.high[axis] = number_at<float>(bytes, 36 + 4 * index);
     if (file.resolution[axis] < 1) throw SceneError(where, "the grid has no cells");
-    // In doubles: the product may be beyond what integers hold.
+    // In doubles: the product may overflow integers.
     count *= file.resolution[axis];
   }
   bytes.remove_prefix(kHeader);

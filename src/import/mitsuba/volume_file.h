@@ -16,8 +16,8 @@ struct VolumeFile {
 };
 
 /// Reads version 3 of the format with numbers of 32 bits or bytes. Raises SceneError, at `where`,
-/// for other encodings and for what is damaged.
-/// Source: the documentation of "gridvolume" of Mitsuba 0.6 and 3.
+/// for other encodings and for damaged files. Source: the documentation of "gridvolume" of Mitsuba
+/// 0.6 and 3.
 VolumeFile read_volume_file(std::string_view bytes, const SourceLocation& where);
 
 }  // namespace ajar::mitsuba

@@ -10,7 +10,7 @@ namespace ajar::mitsuba {
 struct VolumeGrid {
   desc::Vec3i resolution{1, 1, 1};
   desc::DensityGrid::Points points = desc::DensityGrid::Points::Centers;
-  Mat4 to_world;              ///< of the unit cube
+  Mat4 to_world;              ///< transform of the unit cube
   int channels = 1;           ///< 1 or 3
   std::vector<float> values;  ///< channels vary fastest, then x, then y
 
@@ -22,7 +22,7 @@ struct VolumeGrid {
   desc::Rgb at(const Vec3d& place) const;
   /// In the unit cube.
   Vec3d place_of(std::size_t point) const;
-  /// Of what is finite.
+  /// Mean of the finite values.
   desc::Rgb mean() const;
 };
 

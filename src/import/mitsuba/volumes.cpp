@@ -26,7 +26,7 @@ constexpr WarningKind kTurnedGrid{
 constexpr WarningKind kLookup{Effect::Slight,
                               "grids of media are not looked up as they should be: trilinearly"};
 
-/// What is in the caches around a volume; null if there is nothing.
+/// Volume inside of caches; null if there is nothing.
 const Element* without_caches(Context& context, const Element* volume) {
   if (volume == nullptr || volume->type != "volcache") return volume;
   Arguments cache(context, *volume);
@@ -41,7 +41,7 @@ const Element* find_volume(Arguments& medium, std::string_view name) {
 
 bool is_grid(const Element& volume) { return volume.type == "gridvolume" || volume.type == "grid"; }
 
-/// Of volumes that are the same everywhere, or are taken to be.
+/// Value of a volume that is constant, or is taken to be.
 std::optional<desc::Rgb> constant(Arguments& volume, const char* fallback) {
   const std::string& type = volume.element().type;
   const std::optional<desc::Rgb> value = volume.color(type == "srgb" ? "color" : "value");
@@ -89,8 +89,8 @@ std::vector<float> mean_channels(const VolumeFile& file) {
   return result;
 }
 
-/// Of the unit cube. In version 0 the file says where its box is, unless the scene does; in later
-/// ones the box is the unit cube, unless the scene asks for that of the file.
+/// Transform of the unit cube. In version 0 the file says where its box is, unless the scene does;
+/// in later ones the box is the unit cube, unless the scene asks for that of the file.
 Mat4 place_of(Arguments& grid, const VolumeFile& file) {
   const Mat4 to_world = grid.transform("to_world").value_or(Mat4());
   Vec3 low(0.F);
@@ -134,7 +134,7 @@ Imath::Box3d box_of(const Mat4& cube) {
   return box;
 }
 
-/// Whether that box is larger.
+/// True if that box is larger.
 bool is_turned(const Mat4& cube) {
   const Vec3d size = box_of(cube).size();
   const double whole = size.x * size.y * size.z;
@@ -252,7 +252,7 @@ void set_extinction(Arguments& arguments, desc::Medium& medium, VolumeValue sigm
   Warnings& warnings = arguments.context().warnings;
   const std::string& name = medium.name;
   if (sigma_t.grid && albedo.grid && sigma_t.grid->point_count() == 1) {
-    // The same everywhere: it can have the points of the albedo.
+    // A constant can have the points of the albedo.
     VolumeGrid& grid = *sigma_t.grid;
     sigma_t.color *= grid.at(0);
     grid.resolution = albedo.grid->resolution;

@@ -7,7 +7,7 @@
 
 namespace ajar::mitsuba {
 
-/// What a medium has of a `<volume>`.
+/// Values that a medium reads from a `<volume>`.
 struct VolumeValue {
   desc::Rgb color{0, 0, 0};
   std::optional<VolumeGrid> grid{};  ///< factors of `color`
@@ -24,15 +24,15 @@ std::optional<VolumeValue> find_density(Arguments& medium, std::string_view name
 VolumeValue constant_density(const Arguments& medium, const desc::Rgb& color,
                              const Mat4& cube = Mat4());
 
-/// The albedo of a medium, in the same way. The default stands in for what is not supported.
+/// The albedo of a medium, in the same way. The default replaces unsupported volumes.
 std::optional<VolumeValue> find_albedo(Arguments& medium, std::string_view name);
 
 /// A coefficient that may not vary in space: the mean of a volume that does stands in, with a
 /// warning.
 std::optional<desc::Rgb> find_coefficient(Arguments& medium, std::string_view name);
 
-/// Gives a medium the extinction and the albedo, as densities or colours if they vary. That of an
-/// albedo which varies where the extinction does not is its mean, with a warning.
+/// Gives a medium the extinction and the albedo, as densities or colours if they vary. A varying
+/// albedo of a constant extinction is replaced by its mean, with a warning.
 void set_extinction(Arguments& arguments, desc::Medium& medium, VolumeValue sigma_t,
                     const VolumeValue& albedo);
 

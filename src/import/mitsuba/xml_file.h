@@ -17,7 +17,7 @@ class XmlFile {
   XmlFile(std::string_view text, const std::string& name);
 
   pugi::xml_node root() const { return document_.document_element(); }
-  /// Of the "<" of an element.
+  /// Location of the "<" of an element.
   SourceLocation where(const pugi::xml_node& node) const;
   SourceLocation end() const { return at(size_); }
 

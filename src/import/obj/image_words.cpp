@@ -16,7 +16,7 @@ struct Form {
   Values values;
   std::size_t most;
   std::string_view otherwise;  ///< for numbers that are left out
-  bool is_taken = true;        ///< whether tinyobjloader has it, and something comes of it here
+  bool is_taken = true;        ///< tinyobjloader has it, and it has an effect here
 };
 constexpr std::array<Form, 13> kForms = {{{"-o", Values::Numbers, 3, "0"},
                                           {"-s", Values::Numbers, 3, "1"},
@@ -59,7 +59,7 @@ std::vector<Word> words_in(std::string_view text) {
 }
 
 /// The option that begins at word `i`, which moves behind it. `is_before_name`: the last word is
-/// the name, whatever it looks like, and options are taken that nobody knows.
+/// the name in any case, and unknown options are accepted.
 std::optional<ImageOption> take_option(const std::vector<Word>& words, std::size_t& i,
                                        bool is_before_name) {
   const std::size_t end = words.size() - (is_before_name ? 1 : 0);
@@ -125,7 +125,7 @@ std::string in_full(const ImageWords& words) {
     const Form* form = form_of(option.name);
     if (form == nullptr || !form->is_taken || option.values.empty()) continue;
     if (option.name == "-imfchan") {
-      // "m" is what tinyobjloader has where nothing is said, too.
+      // "m" is tinyobjloader's default, too.
       const std::string& channel = option.values.front();
       text += option.name + (channel == "m" ? " a " : " " + channel + " ");
       continue;

@@ -20,11 +20,11 @@ struct ImageWords {
 };
 ImageWords image_words(std::string_view text);
 
-/// The same as tinyobjloader takes it: with three numbers for `-o` and `-s`, without options of
-/// which nothing comes; the channel of alpha, "m", is "a".
+/// As tinyobjloader reads it: with three numbers for `-o` and `-s`, without options that have no
+/// effect; the channel of alpha, "m", is "a".
 std::string in_full(const ImageWords& words);
 
-/// Whether an image follows such a word.
+/// True if an image follows such a word.
 bool names_image(std::string_view keyword);
 
 }  // namespace ajar::obj

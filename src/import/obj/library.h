@@ -31,7 +31,7 @@ class Library {
   std::vector<std::string> names() const;
 
  private:
-  /// Whether there is such a file; its materials are known then.
+  /// True if there is such a file; its materials are known then.
   bool load_if_there(const SourceLocation& where, const std::string& file, std::string& reason);
 
   FileAccess& files_;

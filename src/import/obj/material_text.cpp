@@ -23,7 +23,7 @@ bool contains(const Names& names, std::string_view name) {
 
 constexpr std::string_view kColors[] = {"Ka", "Kd", "Ks", "Ke", "Kt", "Tf"};
 constexpr std::string_view kShares[] = {"Kd", "Ks", "Kt", "Tf"};
-/// Words of what is seen, unless it is black.
+/// Keywords of visible parts, unless they are black.
 constexpr std::string_view kVisible[] = {"Kd", "map_Kd", "Ks", "map_Ks", "Ke", "map_Ke"};
 constexpr std::string_view kNumbers[] = {"Ni", "Ns", "d", "Tr", "Pr", "Pm", "illum"};
 
@@ -138,9 +138,9 @@ class Text {
 
   std::shared_ptr<const std::string> file_;
   Warnings& warnings_;
-  SourceLocation where_;  ///< of the line
+  SourceLocation where_;  ///< start of the line
   std::string text_;
-  std::set<std::string, std::less<>> words_;  ///< of the material
+  std::set<std::string, std::less<>> words_;  ///< words of the material
   std::set<std::string, std::less<>> black_;  ///< colours of it
   float illum_ = 0.F;
   std::set<std::string, std::less<>> materials_;

@@ -6,12 +6,12 @@
 
 namespace ajar::obj {
 
-/// Words of our own in it, for what is told of the materials that a face has: an image whose
-/// colour is black, and a material without any colour.
+/// Words of our own in it, for warnings on the materials that a face has: an image whose colour is
+/// black, and a material without any colour.
 inline constexpr char kHiddenImage[] = "ajar_hidden_image";
 inline constexpr char kColorless[] = "ajar_colorless";
 
-/// A material file with what tinyobjloader takes in another way said as it takes it:
+/// A material file rewritten for tinyobjloader where that reads it differently:
 ///
 /// - one number for a colour is a grey, not a red,
 /// - an image of `Kd` without its factor, or with a black one, has the factor 1,

@@ -25,7 +25,7 @@ class Materials {
   /// The surface of a material; a neutral one for the name "", and, with a warning, for names that
   /// no file has. `where` is the first face that has it.
   const Surface& of(const std::string& material, const SourceLocation& where);
-  /// Whether a file has such a material.
+  /// True if a file has such a material.
   bool knows(const std::string& material) const { return library_.find(material) != nullptr; }
 
  private:

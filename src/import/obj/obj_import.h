@@ -13,7 +13,7 @@ namespace ajar {
 desc::SceneDesc import_obj(const std::string& path, Warnings& warnings,
                            const FileProvider& provider);
 
-/// The same for text. `name` is used in messages, other files are looked for in `base_folder`.
+/// Reads text. `name` is used in messages, other files are looked for in `base_folder`.
 desc::SceneDesc import_obj_text(std::string_view text, const std::string& name,
                                 const std::string& base_folder, Warnings& warnings,
                                 FileProvider provider);

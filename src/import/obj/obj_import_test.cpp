@@ -62,7 +62,7 @@ TEST(Obj, FacesWithAndWithoutNormalsAreDifferentShapes) {
   EXPECT_EQ(mesh_of(scene, 1).normals.size(), 3U);
 }
 
-TEST(Obj, FacesOfVerticesThatAreNotThereAreErrorsWithTheirLine) {
+TEST(Obj, FacesOfMissingVerticesAreLocatedErrors) {
   EXPECT_EQ(error_of(kSquare + "f 1 2 5\n"), "test.obj:5:7: this face refers to vertex 5 of 4");
   EXPECT_EQ(error_of(kSquare + "f 1 2 -5"), "test.obj:5:7: this face refers to vertex -5 of 4");
   EXPECT_EQ(error_of(kSquare + "f 1 2 x\n"), "test.obj:5:7: this is no corner of a face: \"x\"");
@@ -129,7 +129,7 @@ TEST(Obj, ImagesWithoutAFactorHaveOne) {
       << "gloss without a model";
 }
 
-TEST(Obj, ValuesOfMaterialsThatAreNoneAreWarnings) {
+TEST(Obj, InvalidValuesOfMaterialsAreWarnings) {
   const std::string text =
       warnings_of(kTexturedFace,
                   {{"/scene/a.mtl",
@@ -167,7 +167,7 @@ TEST(Obj, GlassRefracts) {
   EXPECT_FALSE(material_of("Kd 1 1 1\nd 1\nillum 4\n").is("dielectric"));
 }
 
-TEST(Obj, WhatAMaterialHasNoPlaceForIsAWarning) {
+TEST(Obj, UnsupportedValuesOfMaterialsAreWarnings) {
   const auto warnings_with = [](const std::string& description) {
     return warnings_of(kTexturedFace,
                        {{"/scene/a.mtl", "newmtl m\n" + description}, {"/scene/a.png", ""}});
@@ -188,7 +188,7 @@ TEST(Obj, WhatAMaterialHasNoPlaceForIsAWarning) {
   }
 }
 
-TEST(Obj, NormalMapsTiltAsMuchAsTheySay) {
+TEST(Obj, NormalMapsTiltByTheirStrength) {
   const auto strength = [](const std::string& line) {
     const desc::SceneDesc scene = with_material("Kd 1 1 1\nnorm " + line + "\n");
     return scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material))
@@ -315,7 +315,7 @@ TEST(Obj, MaterialsKnowTheirLine) {
   EXPECT_EQ(material.where.to_string(), "a.mtl:4:1");
 }
 
-TEST(Obj, WordsThatAreNotReadAreWarnings) {
+TEST(Obj, UnreadKeywordsAreWarnings) {
   const std::string lines =
       warnings_of(kSquare +
                   "v 1 1 1 0.5\nv 0 0 1 1 0\nv 0 0 1 1 0 red\ng a\ns off\nl 1 2\n"
@@ -329,7 +329,7 @@ TEST(Obj, WordsThatAreNotReadAreWarnings) {
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 3) << lines;
 }
 
-TEST(Obj, ColorsOfVerticesAreThoseOfWhatHasNoMaterial) {
+TEST(Obj, ColorsOfVerticesAreUsedWithoutAMaterial) {
   const std::string colored = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\n";
   const desc::SceneDesc scene = scene_of(colored + "f 1 2 3\n");
   const desc::Node& material =
@@ -346,7 +346,7 @@ TEST(Obj, ColorsOfVerticesAreThoseOfWhatHasNoMaterial) {
   scene_of("v 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 1 1 0 1 1 1\n" + with_material, files);
 }
 
-TEST(Obj, WordsOfMaterialsThatMeanNothingHereAreWarnings) {
+TEST(Obj, UnreadKeywordsOfMaterialsAreWarnings) {
   const std::string text = warnings_of(
       kTexturedFace,
       {{"/scene/a.mtl",
@@ -410,7 +410,7 @@ TEST(Obj, MaterialsWithoutAnyColorAreGrey) {
   }
 }
 
-TEST(Obj, OddMaterialsAreToldOf) {
+TEST(Obj, OddMaterialsAreWarnings) {
   EXPECT_TRUE(contains(told_of("Kd .2 .4\n").warnings, "a.mtl:2:1: \"Kd\" has two numbers"));
   for (const char* clear : {"Kd 1 1 1\nTr 1.0\n", "Kd 1 1 1\nd 0\n"}) {
     EXPECT_TRUE(
@@ -420,7 +420,7 @@ TEST(Obj, OddMaterialsAreToldOf) {
   }
 }
 
-TEST(Obj, ImagesOnFacesWithoutCoordinatesAreToldOf) {
+TEST(Obj, ImagesOnFacesWithoutCoordinatesAreWarnings) {
   const Files files = {{"/scene/a.mtl", "newmtl m\nKd 1 1 1\nmap_Kd a.png\n"}};
   EXPECT_EQ(warnings_of(kFace, files),
             "test.obj:7: faces from here on have no texture coordinates, which the images of "
@@ -429,7 +429,7 @@ TEST(Obj, ImagesOnFacesWithoutCoordinatesAreToldOf) {
   EXPECT_EQ(warnings_of(kTexturedFace + "f 1 2 4\n", files).substr(0, 11), "test.obj:11");
 }
 
-TEST(Obj, IndicesFromTheEndCountWhatIsThereSoFar) {
+TEST(Obj, NegativeIndicesCountFromTheLastVertexSoFar) {
   const desc::SceneDesc scene =
       scene_of("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n");
   EXPECT_EQ(mesh_of(scene).positions.size(), 4U);

@@ -215,7 +215,7 @@ void SurfaceReader::set_opacity(Surface& surface) {
                                      values_.alpha_texopt, is_shared ? "alpha" : "color");
   if (opacity == desc::Value(1.F)) return;
   if (opacity == desc::Value(0.F)) {
-    // Some programs write a "Tr" of 1 for what is opaque.
+    // Some programs write a "Tr" of 1 for opaque materials.
     warnings_.add(kUnseen, where_, "nothing of this material is seen, as \"d\" is 0 or \"Tr\" is 1",
                   printable_line(values_.name));
   }

@@ -22,7 +22,7 @@ class SurfaceReader {
   desc::Node glass() const;
   bool is_glass() const;
   bool is_physically_based() const;
-  /// Tells of what the material has, and its kind has no place for.
+  /// Warns of values of the material that its kind does not use.
   void warn_of_unused();
   void set_opacity(Surface& surface);
   void set_emission(Surface& surface);

@@ -27,8 +27,8 @@ const std::vector<std::string> kRead = {
 /// Words with a meaning that is not supported. A number of 0 has none.
 const std::vector<std::string> kNotSupported = {
     "Ps", "Pc", "Pcr", "aniso", "anisor", "map_Ps", "map_Ns", "disp", "decal", "refl", "map_refl"};
-/// Options of images that are read, and those that change nothing here: images are sharp, filtered
-/// and as large as they are, and a bump is told of as a whole.
+/// Options of images that are read, and those without effect here: images are sharp, filtered and
+/// as large as they are, and bumps have a warning of their own.
 constexpr std::array<std::string_view, 11> kOptions = {
     "-s",  "-o",  "-clamp", "-blendu", "-blendv",    "-texres",
     "-cc", "-bm", "-mm",    "-boost",  "-colorspace"};
@@ -43,12 +43,12 @@ std::vector<std::string> all_words() {
   return all;
 }
 
-/// Whether an image of this word becomes a number, of which `-imfchan` says the channel.
+/// True if an image of this word becomes a number, of which `-imfchan` says the channel.
 bool is_of_numbers(std::string_view keyword) {
   return keyword == "map_d" || keyword == "map_Pr" || keyword == "map_Pm";
 }
 
-/// Whether an option changes nothing, or what it says is done.
+/// True if an option changes nothing, or is supported.
 bool is_read(std::string_view keyword, const ImageOption& option) {
   if (option.name == "-imfchan") {
     const std::string_view channel = option.values.empty() ? "" : option.values.front();
@@ -122,7 +122,7 @@ void check_material_words(std::string_view text, const std::string& name, Warnin
 }
 
 std::string remark_on_unread(std::string_view keyword) {
-  // Names and groups, and parts of what has been told of before.
+  // Names and groups, and continuations of keywords with a warning of their own.
   static const std::vector<std::string> kNoLoss = {
       "o",     "g",        "s",        "mg",         "usemap",    "maplib", "lod",
       "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg",

@@ -9,7 +9,7 @@ namespace ajar::pbrt {
 /// `Shape "bilinearmesh"` of pbrt-v4 as triangles.
 struct BilinearMesh {
   desc::Mesh mesh;
-  /// The same for every patch: 2 if all are flat, else those of a fine grid.
+  /// Triangles of every patch: 2 if all are flat, else those of a fine grid.
   std::size_t triangles_per_patch = 2;
 };
 /// Raises SceneError if the patches make no sense.

@@ -29,7 +29,7 @@ Vec3 slope_of_noise(const Vec3& p) {
          kStep;
 }
 
-/// That the finest noise asks for along the axes.
+/// Number of cells along the axes for the finest noise.
 Vec3 wanted_cells(const Cloud& cloud) {
   const float finest = cloud.frequency * std::pow(kLacunarity, static_cast<float>(kOctaves - 1));
   Vec3 cells = (cloud.high - cloud.low) * (2.F * finest);
@@ -41,7 +41,7 @@ Vec3 wanted_cells(const Cloud& cloud) {
 desc::Vec3i lattice_within(const Vec3& wanted, int most_cells) {
   desc::Vec3i points;
   for (int i = 0; i < 3; ++i) {
-    // What is no number asks for one cell.
+    // NaN becomes one cell.
     points[i] = 1 + static_cast<int>(std::clamp(wanted[i] >= 1.F ? wanted[i] : 1.F, 1.F,
                                                 static_cast<float>(most_cells)));
   }

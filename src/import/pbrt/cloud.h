@@ -23,24 +23,24 @@ struct Cloud {
 /// so that there are at most `most_points` in all, which is at least 8.
 desc::Vec3i lattice_of(const Cloud& cloud, std::uint64_t most_points);
 
-/// Whether that lattice is too coarse for the finest noise.
+/// True if that lattice is too coarse for the finest noise.
 bool is_finer_than_grids(const Cloud& cloud, std::uint64_t most_points);
 
 /// The density at the points of that lattice. Its unit cube is the box.
 desc::DensityGrid tabulate(const Cloud& cloud, std::uint64_t most_points);
 
-/// The grids of all clouds of a file. Those that are the same share one. A new one has at most half
-/// of the points that are left, so that no number of clouds makes more points than there
-/// are at first, but for the 8 that the least one has.
+/// The grids of all clouds of a file. Equal clouds share one. A new one has at most half of the
+/// remaining points, so that no number of clouds exceeds the limit, but for the 8 that the smallest
+/// has.
 class CloudGrids {
  public:
-  /// Of a file: the first cloud alone has up to 256³.
+  /// Limit per file: the first cloud alone has up to 256³.
   static constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 25U;
 
   explicit CloudGrids(std::uint64_t most_points = kMostPoints) : points_left_(most_points) {}
 
-  /// That of `cloud`, which is made at `where` as the medium `name`. Those that are coarser than
-  /// the noise have a warning. Raises SceneError if there is no memory for it.
+  /// Grid of `cloud`, which is made at `where` as the medium `name`. Warns of grids that are
+  /// coarser than the noise. Raises SceneError if there is no memory for it.
   desc::DensityGridPointer get(const Cloud& cloud, const SourceLocation& where,
                                const std::string& name, Warnings& warnings);
 

@@ -56,7 +56,7 @@ TEST(PbrtCloud, OfFinerNoiseIsCoarserWithAWarning) {
   EXPECT_TRUE(contains(text, "test.pbrt:2:1: the noise of this cloud is finer")) << text;
 }
 
-/// Of 256³ points, alone.
+/// A cloud of 256³ points, alone.
 Cloud fine_cloud(float density) {
   Cloud cloud;
   cloud.density = density;

@@ -47,7 +47,7 @@ const std::vector<ColorSpace>& ColorSpace::all() {
 
 ColorSpace::ColorSpace(const Primaries& primaries)
     : name_(primaries.name), white_(*illuminant_xyz(primaries.white)) {
-  // As much of each primary as makes the white. That of ACES' green has no Z, its blue a Y below 0.
+  // Each primary, scaled to sum to the white. ACES' green has no Z, its blue a negative Y.
   const auto xyz = [](const double(&xy)[2]) { return Vec3d(xy[0], xy[1], 1.0 - xy[0] - xy[1]); };
   const Vec3d r = xyz(primaries.red);
   const Vec3d g = xyz(primaries.green);

@@ -17,8 +17,8 @@ class ColorSpace {
 
   /// Linear Rec. 709 of light of this colour: (1, 1, 1) has the colour of the white.
   Vec3d light_to_rec709(const Vec3d& rgb) const;
-  /// The same of what reflects or absorbs light: (1, 1, 1) is white whatever the white is, by
-  /// Bradford's adaptation.
+  /// Converts reflectances and absorption: (1, 1, 1) is white whatever the white is, by Bradford's
+  /// adaptation.
   Vec3d reflectance_to_rec709(const Vec3d& rgb) const;
   /// XYZ of the white, Y = 1.
   const Vec3d& white() const { return white_; }

@@ -13,7 +13,7 @@
 
 namespace ajar::pbrt {
 
-/// What every part of the importer works with.
+/// State shared by all parts of the importer.
 struct Context {
   desc::SceneDesc& scene;
   Warnings& warnings;
@@ -25,18 +25,18 @@ struct Context {
   bool is_v4() const { return choice.dialect == Dialect::V4; }
 };
 
-/// What is the matter with a type of thing that the file's dialect does not have: the nearest
-/// names, or that the other version of pbrt has it and why the file is taken for this one.
+/// Message for a type that the file's dialect does not have: the nearest names, or that the other
+/// version of pbrt has it and why the file is taken for this one.
 std::string unknown_message(const DialectChoice& choice, std::string_view what,
                             std::string_view name, const std::vector<std::string>& valid);
 
-/// Of pbrt-v3 files an error; of pbrt-v4 files, which may be newer than this reader, a warning that
-/// `stand_in` says what is done about, as in "a diffuse one stands in".
+/// Reports an unknown type: in pbrt-v3 files an error; in pbrt-v4 files, which may be newer than
+/// this reader, a warning that ends with `stand_in`, as in "a diffuse one stands in".
 void report_unknown(const Context& context, const SourceLocation& where, std::string_view what,
                     std::string_view name, const std::vector<std::string>& valid,
                     const WarningKind& kind, std::string_view stand_in);
 
-/// Warns that the `what` at `where` has the name of another, whose place it takes from here on.
+/// Warns that the `what` at `where` has the name of another, which it replaces from here on.
 void warn_of_same_name(const Context& context, const SourceLocation& where, std::string_view what,
                        std::string_view name);
 

@@ -95,7 +95,7 @@ std::optional<Dialect> find_typed(std::string_view directive, std::string_view w
   return found == kTyped.end() ? std::nullopt : std::optional(found->dialect);
 }
 
-/// What kind of word decides, the strongest first.
+/// Kind of the decisive word, the strongest first.
 enum class Evidence { Film, Directive, Type, None };
 
 /// Reads words of files until one is decisive.
@@ -111,7 +111,7 @@ class Scan {
         const std::string path = files_.resolve(included_[i]);
         const FileBytes bytes = files_.load_text(path);
         scan(bytes.view(), included_[i]);
-      } catch (const Error&) {  // is told when the file is read in earnest
+      } catch (const Error&) {  // reported when the file is parsed
       }
     }
     return choice_;
@@ -136,7 +136,7 @@ class Scan {
           string(lexer, directive, token);
         }
       }
-    } catch (const SceneError&) {  // is told when the file is read in earnest
+    } catch (const SceneError&) {  // reported when the file is parsed
     }
   }
 

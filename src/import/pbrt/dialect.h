@@ -9,18 +9,18 @@
 
 namespace ajar::pbrt {
 
-/// pbrt-v3 and pbrt-v4 share their extension and most of their words, but not what the words mean.
+/// pbrt-v3 and pbrt-v4 share their extension and most of their words, but not the meanings.
 enum class Dialect { V3, V4 };
 std::string_view name_of(Dialect dialect);  ///< "pbrt-v3"
 
-/// What a file is taken for, and why.
+/// Dialect of a file, and the reason.
 struct DialectChoice {
   Dialect dialect = Dialect::V3;
-  SourceLocation where = {};  ///< of the word that decides; unknown if no word does
+  SourceLocation where = {};  ///< place of the word that decides; unknown if no word does
   std::string word = {};      ///< as in `Film "rgb"`
 };
 
-/// Tells what dialect a file is in, by the first of these that says anything:
+/// Determines the dialect of a file, by the first of these that decides:
 ///
 /// 1. the type of the film: "image" is v3; "rgb", "gbuffer" and "spectral" are v4;
 /// 2. directives: WorldEnd is v3; Option, ColorSpace, Attribute and Import are v4;

@@ -52,7 +52,7 @@ TEST(PbrtDialect, TheFirstNameThatOneVersionHasDecidesWithoutDirectives) {
   EXPECT_EQ(told("WorldBegin Texture \"a\" \"spectrum\" \"ptex\"").word, "");
 }
 
-TEST(PbrtDialect, NamesThatAuthorsChooseDecideNothing) {
+TEST(PbrtDialect, UserNamesDecideNothing) {
   for (const char* text :
        {"MakeNamedMaterial \"dielectric\" \"string type\" \"mix\"", "NamedMaterial \"conductor\"",
         "Texture \"ptex\" \"float\" \"constant\"", "ObjectBegin \"interface\"",
@@ -63,7 +63,7 @@ TEST(PbrtDialect, NamesThatAuthorsChooseDecideNothing) {
   }
 }
 
-TEST(PbrtDialect, IncludedFilesDecideForOneThatSaysNothing) {
+TEST(PbrtDialect, IncludedFilesDecideForAnAmbiguousOne) {
   const std::map<std::string, std::string> files = {{"a.pbrt", "Scale 1 1 1"},
                                                     {"b.pbrt", "Film \"rgb\""}};
   EXPECT_EQ(told("Include \"a.pbrt\" Include \"b.pbrt\"", files).dialect, Dialect::V4);
@@ -73,7 +73,7 @@ TEST(PbrtDialect, IncludedFilesDecideForOneThatSaysNothing) {
   EXPECT_EQ(told("Film \"rgb").dialect, Dialect::V3) << "a string without an end";
 }
 
-TEST(PbrtDialect, MessagesSayWhyAFileIsTakenForOneVersion) {
+TEST(PbrtDialect, MessagesGiveTheReasonForTheVersion) {
   EXPECT_EQ(error_of("Film \"image\" Camera \"perspective\" WorldBegin\nMaterial \"dielectric\""),
             "test.pbrt:2:1: material \"dielectric\" belongs to pbrt-v4, but this file is read as "
             "pbrt-v3: Film \"image\" at test.pbrt:1:6");

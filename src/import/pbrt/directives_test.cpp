@@ -6,7 +6,7 @@ namespace ajar {
 namespace {
 
 /// Everything that is ignored or replaced, worst first, whatever the order in the file.
-TEST(PbrtWarnings, AreInTheOrderOfWhatTheyDoToThePicture) {
+TEST(PbrtWarnings, AreInTheOrderOfTheirEffect) {
   const std::string p = "\"point P\" [0 0 0 1 0 0 0 1 0]";
   const std::string told =
       warnings_of(world("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 0 1] " + p +
@@ -37,7 +37,7 @@ TEST(PbrtWarnings, CountTheTrianglesOfAllMeshes) {
   EXPECT_EQ(warnings.groups().front().first.where.line, 2);
 }
 
-TEST(PbrtWarnings, TellOfNamesThatAreTakenTwice) {
+TEST(PbrtWarnings, ReportDuplicateNames) {
   const std::string texture = "Texture \"t\" \"float\" \"constant\"\n";
   const std::string material = "MakeNamedMaterial \"m\" \"string type\" \"matte\"\n";
   const std::string medium = "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"\n";
@@ -68,7 +68,7 @@ TEST(PbrtDirectives, Pbrt4IsNamedAsSuch) {
   }
 }
 
-TEST(PbrtDirectives, WhatIsNoSceneIsAnError) {
+TEST(PbrtDirectives, OtherFilesAreErrors) {
   EXPECT_TRUE(contains(error_of(""), "there is no WorldBegin"));
   EXPECT_TRUE(contains(error_of("# nothing\n"), "test.pbrt:2:1"));
   EXPECT_TRUE(contains(error_of(std::string("\x7f"
@@ -206,7 +206,7 @@ TEST(PbrtInclude, OfMissingFilesIsAWarning) {
   EXPECT_EQ(warnings.count(), 1U);
 }
 
-TEST(PbrtInclude, WhatBeginsInAFileMayGoOnBehindItsInclude) {
+TEST(PbrtInclude, BlocksMaySpanIncludes) {
   const Files files = {{"matte.pbrt", "Material \"matte\" # its colour follows"},
                        {"none.pbrt", "# nothing\n"},
                        {"nested.pbrt", "Include \"matte.pbrt\""},

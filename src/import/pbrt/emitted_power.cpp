@@ -14,7 +14,7 @@ constexpr WarningKind kNoArea{Effect::Light,
 
 struct Areas {
   double sum = 0.0;
-  double least = 0.0, most = 0.0;  ///< of a primitive
+  double least = 0.0, most = 0.0;  ///< bounds for a primitive
   std::size_t primitives = 0;
   void add(double area) {
     least = primitives == 0 ? area : std::min(least, area);

@@ -58,7 +58,7 @@ void read_pixel_bounds(Context& context, const ParameterList& p, desc::Film& fil
   }
 }
 
-/// What pbrt-v4's sensor multiplies the picture with.
+/// Scale of the picture by pbrt-v4's sensor.
 float sensor_scale(Context& context, const SourceLocation& where, const ParameterList& p) {
   const std::string sensor = p.get_string("sensor", "cie1931");
   if (sensor != "cie1931") {

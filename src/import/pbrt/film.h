@@ -17,7 +17,7 @@ FilmOptions make_film(Context& context, const SourceLocation& where, const std::
                       const ParameterList& parameters);
 desc::Filter make_filter(Context& context, const SourceLocation& where, const std::string& type,
                          const ParameterList& parameters);
-/// What there is without a PixelFilter: a box of a pixel in pbrt-v3, a Gauss curve in pbrt-v4.
+/// Filter without a PixelFilter: a box of a pixel in pbrt-v3, a Gauss curve in pbrt-v4.
 desc::Filter default_filter(Dialect dialect);
 
 }  // namespace ajar::pbrt

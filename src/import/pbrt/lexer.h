@@ -21,8 +21,8 @@ struct Token {
 };
 
 /// Cuts a pbrt file into words, quoted strings and brackets; skips white space and # comments. An
-/// included file is followed by the rest of the one that includes it, as pbrt has it: what begins
-/// in one may end in the other.
+/// included file is followed by the rest of the one that includes it, as pbrt has it: blocks may
+/// span both.
 class Lexer {
  public:
   /// `text` must outlive the lexer, and so must `after`, which goes on where it ends.
@@ -39,12 +39,12 @@ class Lexer {
     source.look_ahead();
     return source.peeked_;
   }
-  /// Whether nothing is left of its own text.
+  /// True if nothing is left of its own text.
   bool is_at_own_end() {
     look_ahead();
     return peeked_.kind == TokenKind::End;
   }
-  /// Whose text the next token is from.
+  /// Lexer that the next token is from.
   Lexer& current() { return after_ != nullptr && is_at_own_end() ? after_->current() : *this; }
 
   SourceLocation where(const Token& token) const;
@@ -52,8 +52,8 @@ class Lexer {
     throw SceneError(where(token), message);
   }
 
-  /// Value of a string with escapes decoded. A backslash that begins none stands for itself: names
-  /// of files on Windows have them.
+  /// Value of a string with escapes decoded. Other backslashes are kept: names of files on Windows
+  /// have them.
   std::string string_value(const Token& token) const;
   /// Values of a number. Raise SceneError if the token is none, is not finite, or does not fit.
   double double_value(const Token& token) const;

@@ -75,7 +75,7 @@ TEST(Lexer, ReadsNumbersOfAllShapes) {
   for (const float value : expected) EXPECT_EQ(lexer.float_value(lexer.next()), value);
 }
 
-TEST(Lexer, RejectsWhatIsNoFiniteNumber) {
+TEST(Lexer, RejectsNonFiniteNumbers) {
   for (const char* text :
        {"nan", "inf", "-inf", "NaN", "infinity", "1x", "--1", "1e", "abc", "0x10", "+", ""}) {
     Lexer lexer = lexer_of(text);

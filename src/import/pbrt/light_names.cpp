@@ -21,8 +21,8 @@ const std::vector<ModelName>& lights_of_v3() {
   return kNames;
 }
 
-// Names and defaults: pbrt-v4, src/pbrt/lights.cpp. What they are scaled to, "power" and
-// "illuminance", is in lights.cpp.
+// Names and defaults: pbrt-v4, src/pbrt/lights.cpp. The targets of their scale, "power" and
+// "illuminance", are in lights.cpp.
 const std::vector<ModelName>& lights_of_v4() {
   static const ParameterName kIntensity{"intensity", {"I"}};
   static const ParameterName kImage{"image", {"filename"}};
@@ -62,7 +62,7 @@ const std::vector<ModelName>& emission_names(Dialect dialect) {
   static const std::vector<ModelName> kNamesOfV4 = {
       {"diffuse", "area", {{"radiance", {"L"}}, {"two_sided", {"twosided"}}, {"scale", {}}}}};
   if (dialect == Dialect::V4) return kNamesOfV4;
-  // "area" is what older files say.
+  // "area" is the name in older files.
   static const std::vector<ParameterName> kArea = {{"radiance", {"L"}},
                                                    {"two_sided", {"twosided"}}};
   static const std::vector<ModelName> kNames = {{"diffuse", "area", kArea},

@@ -25,7 +25,7 @@ constexpr WarningKind kTwoSources{Effect::Light,
 constexpr WarningKind kNoPower{
     Effect::Light, "lights on surfaces have both an image and \"power\", which is ignored"};
 
-/// What pbrt-v4 wants a light to have in all; empty if it wants nothing.
+/// Total power or illuminance that pbrt-v4 asks for; empty if none.
 std::optional<float> target(const ParameterList& parameters, std::string_view name) {
   const std::optional<float> value = parameters.get_float(name);
   return value && *value > 0.F ? value : std::nullopt;
@@ -35,8 +35,8 @@ float cosine(float degrees) {
   return static_cast<float>(std::cos(static_cast<double>(degrees) * 3.14159265358979323846 / 180));
 }
 
-/// What pbrt-v4's "power" and "illuminance" multiply a light with. Lights with images are scaled
-/// when the images are known: those have a parameter of their own for it.
+/// Scale of a light by pbrt-v4's "power" and "illuminance". Lights with images are scaled when the
+/// images are known: those have a parameter of their own for it.
 float target_scale(const ParameterList& p, desc::Node& node) {
   if (node.is("distant")) return target(p, "illuminance").value_or(1.F);
   if (node.is("environment")) {
@@ -114,7 +114,7 @@ void set_falloff(desc::Node& spot, const ParameterList& parameters) {
                                                static_cast<double>(delta)));
 }
 
-/// pbrt-v3 shows what integers of such an image are, and not what they stand for.
+/// pbrt-v3 uses integers of such an image undecoded.
 void check_codes(Context& context, const SourceLocation& where, const desc::Node& light) {
   if (!light.has("image")) return;
   const std::string extension = file_extension(light.text("image"));

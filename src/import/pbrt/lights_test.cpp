@@ -80,7 +80,7 @@ TEST(PbrtLights, ImagesOfIntegersAreDecodedWithAWarning) {
   EXPECT_EQ(warnings("sky.exr"), "");
 }
 
-TEST(PbrtLights, WhatCannotBeUsedHasAPlace) {
+TEST(PbrtLights, UnusableOnesHaveLocatedWarnings) {
   EXPECT_TRUE(contains(error_of(world("LightSource \"projection\" \"float fov\" 180")),
                        "2:1: \"fov\" must be between 0 and 180, both excluded, not 180"));
   EXPECT_TRUE(contains(error_of(world("LightSource \"point\" \"rgb I\" [1e30 1 1] \"rgb scale\" "

@@ -10,7 +10,7 @@ const ParameterName kSquared{"roughness_scale", {"remaproughness"}, "square", {"
 const ParameterName kDiffuse{"diffuse_reflectance", {"Kd"}};
 const ParameterName kGlossy{"glossy_reflectance", {"Ks"}};
 const ParameterName kIndex{"eta", {"eta", "index"}};
-/// pbrt-v4 loses what meets more than one facet of a coat.
+/// pbrt-v4 loses light that meets more than one facet of a coat.
 const ParameterName kLossy{"coat_transmission", {}, "lossy"};
 
 /// pbrt gives both roughnesses a value of their own.
@@ -114,7 +114,7 @@ const std::vector<ModelName>& materials_of_v3() {
 }
 
 const std::vector<ModelName>& materials_of_v4() {
-  // What a v4 material says by its type alone.
+  // Parameters that v4 materials imply by their type.
   static const ParameterName kNoTint{"reflectance", {}};
   static const ParameterName kNoTransmittance{"transmittance", {}};
   static const ParameterName kFacets{"distribution", {}};

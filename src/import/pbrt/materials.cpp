@@ -26,7 +26,7 @@ constexpr WarningKind kTwoMetals{
 constexpr WarningKind kNoDisneySubsurface{
     Effect::Surface, "disney materials have subsurface scattering, which is not supported"};
 
-/// Warns of what pbrt's disney material has and ours has not.
+/// Warns of unsupported parameters of pbrt's disney material.
 void check_subsurface(const SourceLocation& where, const TextureParameters& p) {
   const std::optional<desc::Value> distance = p.find_spectrum("scatterdistance");
   if (!distance || *distance == desc::Value(Vec3(0.F))) return;
@@ -85,7 +85,7 @@ void unclamp(const SourceLocation& where, TextureTable& textures, Context& conte
   node.set(parameter, desc::TextureRef{textures.add(where, std::move(image))});
 }
 
-/// What pbrt-v4 says beside the parameters that the models have.
+/// Adds pbrt-v4's options beside the parameters that the models have.
 void finish_v4(const SourceLocation& where, const std::string& type, const TextureParameters& p,
                TextureTable& textures, desc::Node& node) {
   smooth_if_nearly_so(node);
@@ -135,7 +135,7 @@ desc::NormalMap read_normal_map(const SourceLocation& where, const TextureParame
           .right_handed = p.flag("normal_right_handed").value_or(false)};
 }
 
-/// Whether pbrt tilts the normals of this material.
+/// True if pbrt tilts the normals of this material.
 bool can_have_relief(const desc::Node& node) { return !node.is("interface") && !node.is("mix"); }
 
 }  // namespace
@@ -215,7 +215,7 @@ desc::MaterialId MaterialTable::build(const SourceLocation& where, const std::st
       material.bump = std::get<desc::TextureRef>(*bump).id;
     }
     material.normal_map = read_normal_map(where, parameters, textures_);
-    // Of pbrt-v4's two kinds of relief the normals count.
+    // The normal map takes precedence among pbrt-v4's two kinds of relief.
     if (context_.is_v4() && material.normal_map.texture != desc::kNone) material.bump = desc::kNone;
   }
   context_.scene.materials.push_back(std::move(material));
@@ -262,7 +262,7 @@ desc::MaterialId MaterialTable::for_shape(const SourceLocation& where, MaterialP
       build(where, current->type, current->name,
             TextureParameters(context_, textures_, shape, current->parameters.get()));
   const std::vector<desc::Material>& materials = context_.scene.materials;
-  // What the shape itself reads, too, was used before, but may make another material.
+  // Parameters that the shape itself reads, too, were used before, but may make another material.
   if (shape.used_count() > used ||
       materials.back().node != materials[static_cast<std::size_t>(current->id)].node) {
     return variant;

@@ -74,13 +74,13 @@ TEST(PbrtMaterials, RoughnessIsTheFacetsAlphaIfItIsNotRemapped) {
 
 TEST(PbrtMaterials, IndexIsAnotherNameOfEta) {
   EXPECT_EQ(material_of("Material \"glass\" \"float index\" 1.3").number("eta"), 1.3F);
-  // What has no effect is said to have none.
+  // Parameters without effect are reported.
   EXPECT_TRUE(
       contains(warnings_of(world("Material \"glass\" \"float index\" 1.3 \"float eta\" 1.4")),
                "unused parameter \"float index\""));
 }
 
-TEST(PbrtMaterials, MetalIsCopperUnlessToldOtherwise) {
+TEST(PbrtMaterials, MetalIsCopperByDefault) {
   // The RGB constants of copper that exporters compute from the same measurements (veach-mis
   // scene).
   const desc::Node m = material_of("Material \"metal\"");
@@ -231,7 +231,7 @@ TEST(PbrtMaterials, BelowTheSurfaceLightIsTintedWhereItEnters) {
           .node;
   EXPECT_EQ(product.texture("first"), 0);
   EXPECT_EQ(product.color("second"), desc::Rgb(0.1F, 0.2F, 0.3F));
-  // A preset has what no coefficient says.
+  // A preset fills in missing coefficients.
   const auto color = [&](const std::string& parameters) {
     return stand_in("\"subsurface\" \"string name\" \"Ketchup\" " + parameters)
         .materials[0]

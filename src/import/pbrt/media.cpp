@@ -22,7 +22,7 @@ constexpr WarningKind kNoEmission{Effect::Light, "media emit light, which is not
 constexpr WarningKind kBesidePreset{Effect::Surface,
                                     "media have a preset and coefficients, which are ignored"};
 
-/// Whether the coefficient `name` is a grid of colours.
+/// True if the coefficient `name` is a grid of colours.
 const Parameter* color_grid(const ParameterList& parameters, std::string_view name) {
   const Parameter* grid = parameters.find(name, ParameterKind::Rgb);
   return grid != nullptr && grid->size() > 1 ? grid : nullptr;
@@ -72,15 +72,14 @@ std::optional<desc::Rgb> constant_in(const std::vector<desc::Rgb>& factors) {
   return is_constant ? std::optional(factors.front()) : std::nullopt;
 }
 
-/// A grid, and where it is; of one of colours, what a coefficient is that does not vary.
+/// A grid, and its place; with the constant coefficient of a grid of colours.
 struct PlacedGrid {
   desc::DensityGrid grid;
   Mat4 to_box;
   desc::Rgb sigma_a{1.F}, sigma_s{1.F};
 };
 
-/// Makes of the grid that pbrt is told of, which is larger than its box, what it is in it
-/// (`write_box` in pbrt_writer.cpp).
+/// Restores a grid from the larger one that is written for pbrt (`write_box` in pbrt_writer.cpp).
 void read_own_bounds(const SourceLocation& where, const ParameterList& p, PlacedGrid& placed) {
   const std::optional<std::string> points = p.get_string(own_word("points"));
   const std::string border = p.get_string(own_word("border"), "zero");
@@ -198,7 +197,7 @@ void warn_of_parameters_that_emit(Context& context, const SourceLocation& where,
   if (glows) warn_of_emission(context, where, name);
 }
 
-/// pbrt-v3 takes from a preset what no parameter says, pbrt-v4 takes all of it.
+/// pbrt-v3 takes missing parameters from a preset, pbrt-v4 takes all of it.
 void warn_beside_preset(Context& context, const Parameter* coefficient) {
   if (coefficient == nullptr) return;
   context.warnings.add(kBesidePreset, coefficient->where,

@@ -13,7 +13,7 @@ namespace {
 using desc::ModelKind;
 using desc::Node;
 
-/// What the scene is after it was written and read.
+/// The scene after it was written and read.
 desc::SceneDesc there_and_back(const desc::SceneDesc& scene) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "scene.pbrt").string();
@@ -147,7 +147,7 @@ TEST(ModelRoundTrip, KeepsEveryParameterOfEveryEmission) {
   }
 }
 
-TEST(ModelRoundTrip, KeepsWhatIsLeftOut) {
+TEST(ModelRoundTrip, KeepsDefaults) {
   for (const char* name : {"dielectric", "conductor", "coated_diffuse", "composite"}) {
     desc::SceneDesc scene;
     scene.materials.emplace_back().node = desc::material_node(name, {{"roughness", 0.25F}});

@@ -26,7 +26,7 @@ constexpr std::string_view kDamaged = "the file is damaged or ends early";
   throw SceneError(where, std::string(message));
 }
 
-/// Takes values off the beginning of what is left of a file.
+/// Reads values from the beginning of the rest of a file.
 class Cursor {
  public:
   Cursor(std::string_view bytes, const SourceLocation& where) : bytes_(bytes), where_(where) {}
@@ -151,7 +151,7 @@ class TreeReader {
   }
 
  private:
-  /// What is at a place of the grid.
+  /// Object at an offset in the grid.
   template <typename T>
   const T& at(std::int64_t place) const {
     const auto size = static_cast<std::int64_t>(bytes_.size());
@@ -169,7 +169,7 @@ class TreeReader {
     return place + distance;
   }
 
-  /// `Number`: what NanoVDB calls the type of the build, which is also that of leaves.
+  /// `Number`: NanoVDB's type of the build, which is also that of leaves.
   template <typename Number>
   VoxelGrid read_tree(const nanovdb::GridData& grid) {
     using Root = nanovdb::NanoRoot<Number>;
@@ -274,7 +274,7 @@ class TreeReader {
     using Data = typename Leaf::DataType;
     const auto& leaf = at<Data>(place);
     if constexpr (!Data::FIXED_SIZE) {
-      // Of variable width, up to 16 bits: the numbers are behind.
+      // Values of variable width, up to 16 bits, follow.
       constexpr int kMostBits = 16;
       if (leaf.bitWidth() > kMostBits) fail(where_, kDamaged);
       if (leaf.memUsage() > bytes_.size() - static_cast<std::uint64_t>(place)) {
@@ -309,7 +309,7 @@ class TreeReader {
   const AlignedBytes& bytes_;
   const SourceLocation& where_;
   const std::uint64_t most_voxels_;
-  Index low_{0, 0, 0}, high_{0, 0, 0};  ///< of the points that are read: [low, high)
+  Index low_{0, 0, 0}, high_{0, 0, 0};  ///< range of the points that are read: [low, high)
   std::uint64_t count_ = 0;
   std::vector<float> values_;
 };

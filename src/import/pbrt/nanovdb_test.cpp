@@ -47,7 +47,7 @@ std::string medium(const std::string& more = "") {
   return "MakeNamedMedium \"m\" \"string type\" \"nanovdb\" \"string filename\" \"a.nvdb\" " + more;
 }
 
-/// Of the medium with this file.
+/// Warnings of the medium with this file.
 std::string remarks(const std::string& file, const std::string& more = "") {
   return v4_warnings(medium(more), {{"a.nvdb", file}});
 }

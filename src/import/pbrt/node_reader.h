@@ -17,7 +17,7 @@ const desc::Model* model_of_type(desc::ModelKind kind, std::span<const ModelName
 const desc::Model* own_model(const Context& context, const SourceLocation& where,
                              desc::ModelKind kind, const std::optional<std::string>& own);
 
-/// All that directives can name: what `table` has, and ours that pbrt does not have.
+/// All names for directives: those of `table`, and ours that pbrt does not have.
 std::vector<std::string> types_of(desc::ModelKind kind, std::span<const ModelName> table);
 
 /// Makes nodes of the parameters of directives. Places come from the current transform, meshes and

@@ -33,7 +33,7 @@ constexpr WarningKind kPixelBounds{Effect::Slight,
 /// Where a file does not say "maxdepth", or has no Integrator.
 constexpr int kDefaultBounces = 5;
 
-/// Those that ours stands for. "ao" and "function" of pbrt-v4 are none of them.
+/// Integrators replaced by ours. "ao" and "function" of pbrt-v4 are none of them.
 const std::vector<std::string>& path_tracers(Dialect dialect) {
   static const std::vector<std::string> kOfV3 = {"path", "volpath", "directlighting", "whitted"};
   static const std::vector<std::string> kOfV4 = {"path",          "volpath",    "simplepath",
@@ -250,7 +250,8 @@ void apply_integrator(Context& context, const SourceLocation& where, const std::
 }
 
 void check_media(Context& context, const SourceLocation& where, const std::string& type) {
-  // Those of pbrt that know media; "" is the one of pbrt-v3 or pbrt-v4 where a file names none.
+  // Integrators of pbrt that render media; "" is the one of pbrt-v3 or pbrt-v4 where a file names
+  // none.
   static const std::vector<std::string> kOfV3 = {"volpath", "bdpt", "mlt"};
   static const std::vector<std::string> kOfV4 = {"", "volpath", "simplevolpath", "bdpt", "mlt"};
   const std::vector<std::string>& know = context.is_v4() ? kOfV4 : kOfV3;

@@ -21,7 +21,7 @@ CameraOptions make_camera(Context& context, const SourceLocation& where, const s
 
 void apply_sampler(Context& context, const SourceLocation& where, const std::string& type,
                    const ParameterList& parameters);
-/// What pbrt does where no integrator is named.
+/// Sets pbrt's behaviour where no integrator is named.
 void apply_no_integrator(Context& context);
 /// Warns if the integrator of this type, "" for that of a file without one, leaves out the media
 /// that the scene has.

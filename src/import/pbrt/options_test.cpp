@@ -69,7 +69,7 @@ TEST(PbrtOptions, FilmAndFilters) {
             Vec2(2.F, 2.F));
 }
 
-TEST(PbrtOptions, FiltersKnowTheirPlaceAndFilmsTheOneWhereTheyAreMissing) {
+TEST(PbrtOptions, FiltersAndFilmsWithoutAFilterAreLocated) {
   const desc::SceneDesc scene = with_v3_options("\nPixelFilter \"gaussian\" \"float alpha\" -1");
   EXPECT_EQ(scene.film.filter.where.to_string(), "test.pbrt:2:1");
   EXPECT_EQ(scene.film.where.to_string(), "test.pbrt:2:96");
@@ -78,7 +78,7 @@ TEST(PbrtOptions, FiltersKnowTheirPlaceAndFilmsTheOneWhereTheyAreMissing) {
   EXPECT_EQ(both.film.where.to_string(), "test.pbrt:2:1");
 }
 
-TEST(PbrtOptions, FilmsThatShowNothingAreToldOf) {
+TEST(PbrtOptions, EmptyFilmsAreWarnings) {
   EXPECT_TRUE(contains(warnings_of("Film \"image\" \"float scale\" 0 " + world("")),
                        "test.pbrt:1:1: \"scale\" of the film is 0: the picture is black"));
   EXPECT_TRUE(contains(warnings_of("Film \"image\" \"float scale\" -2 " + world("")),
@@ -121,7 +121,7 @@ TEST(PbrtHints, MapIntegratorsToOurs) {
             77);
 }
 
-TEST(PbrtHints, WarnOfLightThatTheirIntegratorsLeaveOut) {
+TEST(PbrtHints, WarnOfLightThatPbrtsIntegratorOmits) {
   const auto warnings = [](const std::string& options, const std::string& medium = "") {
     return warnings_of(options + " Camera \"perspective\" WorldBegin " + medium +
                        " Shape \"sphere\" WorldEnd");

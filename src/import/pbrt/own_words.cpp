@@ -9,8 +9,8 @@ namespace {
 
 using Words = std::set<std::string_view>;
 
-/// What stands for itself in both, by our models. Transforms and meshes, which are written in a way
-/// of their own, are among it. Source: the file format of pbrt-v3.
+/// Words of both dialects, by our models. Transforms and meshes, which are written in a way of
+/// their own, are included. Source: the file format of pbrt-v3.
 const std::map<std::string_view, Words>& words_of_both() {
   static const std::map<std::string_view, Words> kWords = {
       {"projection", {"fov"}},

@@ -4,9 +4,9 @@
 
 #include "scene/desc/node.h"
 
-/// Ajar's own words in files of pbrt-v3. What pbrt has no word for goes by the name that it has
-/// here. Where pbrt has a word that says less, its word has what comes nearest, for pbrt, and ours,
-/// with a prefix, what is meant: it counts.
+/// Ajar's own words in files of pbrt-v3. Models and parameters unknown to pbrt have their names
+/// here. Where pbrt has only an approximate equivalent, its word has the nearest value, for pbrt,
+/// and ours, with a prefix, the exact one, which counts.
 namespace ajar::pbrt {
 
 inline constexpr std::string_view kOwnPrefix = "ajar:";
@@ -19,8 +19,8 @@ inline bool has_own_prefix(std::string_view word) { return word.starts_with(kOwn
 /// of its parameters are words with the prefix then.
 inline constexpr std::string_view kOwnModel = "ajar:model";
 
-/// Whether pbrt-v3 has nothing of this name, for a model that it has; of parameters that the tables
-/// of names do not translate.
+/// True if pbrt-v3 has nothing of this name, for a model that it has; for parameters that the
+/// tables of names do not translate.
 bool is_unknown_to_v3(const desc::Model& model, std::string_view parameter);
 
 }  // namespace ajar::pbrt

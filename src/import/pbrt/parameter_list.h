@@ -41,11 +41,11 @@ struct Parameter {
   ParameterKind kind = ParameterKind::Float;
   std::string name;
   SourceLocation where;
-  std::vector<int> integers;   ///< of Integer
-  std::vector<float> numbers;  ///< of everything else that consists of numbers
+  std::vector<int> integers;   ///< values of Integer
+  std::vector<float> numbers;  ///< values of all other numeric types
   std::vector<std::string>
-      strings;  ///< of String, Texture, Bool ("true", "false"), and file names of Spectrum
-  /// Of Rgb: that which was current where it was written; null for linear Rec. 709 (pbrt-v3).
+      strings;  ///< values of String, Texture, Bool ("true", "false"), and file names of Spectrum
+  /// Colour space of Rgb: the one current where it was written; null for linear Rec. 709 (pbrt-v3).
   const ColorSpace* color_space = nullptr;
   Dialect dialect = Dialect::V3;
   std::size_t size() const;  ///< count of values
@@ -54,19 +54,19 @@ struct Parameter {
 /// Shared, because one may belong to many directives and be large.
 using ParameterPointer = std::shared_ptr<const Parameter>;
 
-/// One that an `Attribute` directive gives those after it, and what became of it.
+/// A parameter that an `Attribute` directive gives those after it, and its use.
 struct AttributeParameter {
   ParameterPointer parameter;
   bool was_offered = false;
   bool was_used = false;
-  std::vector<std::string> asked;  ///< of the first directive that had no use for it
+  std::vector<std::string> asked;  ///< names requested by the first directive that did not use it
 };
 using AttributePointer = std::shared_ptr<AttributeParameter>;
 /// Warns of those that were offered, and that no directive ever asked for.
 void report_unused(std::span<const AttributePointer> attributes, Warnings& warnings);
 
-/// The parameters of one directive. Every lookup remembers its name: what was never asked for is
-/// reported by `report_unused`, with the nearest name that was.
+/// The parameters of one directive. Every lookup remembers its name: unused ones are reported by
+/// `report_unused`, with the nearest name that was looked up.
 class ParameterList {
  public:
   void add(Parameter parameter, Warnings& warnings);
@@ -81,7 +81,7 @@ class ParameterList {
   const Parameter* find(std::string_view name, ParameterKind kind) const {
     return find(name, {&kind, 1});
   }
-  /// The same, for parameters that must have exactly one value.
+  /// Parameters that must have exactly one value.
   const Parameter* find_one(std::string_view name, std::span<const ParameterKind> kinds) const;
   const Parameter* find_one(std::string_view name, ParameterKind kind) const {
     return find_one(name, {&kind, 1});
@@ -112,14 +112,14 @@ class ParameterList {
   bool all_used() const { return used_count() == entries_.size(); }
   void report_unused(Warnings& warnings) const;
   bool empty() const { return entries_.empty(); }
-  /// Whether any has the prefix of our own words (own_words.h). Those of pbrt's that count for
-  /// nothing are for pbrt alone then, and not reported as unused.
+  /// True if any has the prefix of our own words (own_words.h). Ineffective ones of pbrt's are for
+  /// pbrt alone then, and not reported as unused.
   bool has_own_words() const;
 
  private:
   struct Entry {
     ParameterPointer parameter;
-    AttributePointer attribute = nullptr;  ///< that it comes from
+    AttributePointer attribute = nullptr;  ///< attribute that it comes from
     mutable bool used = false;
     void use() const;
   };

@@ -292,7 +292,7 @@ bool Parser::thing_directive(Lexer& lexer, const Token& token, const SourceLocat
     const std::string type = name(lexer, token);
     builder_.integrator(where, type, parameters(lexer));
   } else if (directive == "Accelerator") {
-    // Ours is Embree, whatever the file wants.
+    // Embree is used, whatever the file asks for.
     const std::string type = name(lexer, token);
     const ParameterList list = parameters(lexer);
     if (type != "bvh" && type != "kdtree") {
@@ -313,7 +313,7 @@ bool Parser::is_missing(const std::string& included) const {
     const std::string path = files_.resolve(included);
     return !files_.exists(path) && !std::filesystem::exists(std::filesystem::symlink_status(path));
   } catch (const std::runtime_error&) {
-    return false;  // `open` says what is the matter
+    return false;  // `open` reports the error
   }
 }
 

@@ -24,7 +24,7 @@ class Parser {
         dialect_(builder.context().choice.dialect) {}
 
   /// Parses one file and everything it includes; stops at WorldEnd. Returns where the file ends.
-  /// `path` tells files apart to find circles.
+  /// `path` identifies files to find cycles.
   SourceLocation parse(std::string_view text, const std::string& name, const std::string& path) {
     return parse(text, name, path, nullptr);
   }
@@ -37,21 +37,22 @@ class Parser {
   bool transform_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   bool block_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
   bool thing_directive(Lexer& lexer, const Token& token, const SourceLocation& where);
-  /// Those that only pbrt-v4 has.
+  /// Directives of pbrt-v4 alone.
   bool directive_of_v4(Lexer& lexer, const Token& token, const SourceLocation& where);
-  /// Another file, and what it is named by. `goes_on`: whether a directive of its may end here.
+  /// Another file, and the token of its name. `goes_on`: whether one of its directives may end
+  /// here.
   void include(Lexer& lexer, const SourceLocation& where, bool goes_on);
   /// A file that another one names, with its circles and limits checked. Raises SceneError.
   struct OpenFile {
     std::string name, path;
     FileBytes bytes;
-    std::string decompressed;  ///< of a gzip file; else empty
+    std::string decompressed;  ///< content of a gzip file; else empty
     std::string_view text() const { return decompressed.empty() ? bytes.view() : decompressed; }
   };
   void warn_of_missing(const std::string& included, const SourceLocation& where);
   OpenFile open(const std::string& included, const SourceLocation& where);
   bool is_missing(const std::string& included) const;
-  /// Skips what belongs to a directive that pbrt-v4 does not have.
+  /// Skips the parameters of a directive that pbrt-v4 does not have.
   void skip_directive(Lexer& lexer);
 
   std::string name(Lexer& lexer, const Token& directive);

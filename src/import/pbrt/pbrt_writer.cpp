@@ -33,7 +33,7 @@ class Writer {
         meshes_(path_, "meshes"),
         out_(context_.out) {}
 
-  /// What pbrt does not know of it.
+  /// Writes the scene; returns the message on names that pbrt does not know.
   std::string run() {
     write_options();
     out_.line("WorldBegin");
@@ -112,8 +112,8 @@ class Writer {
                  [&](std::size_t point, bool) { out_.number(grid.values[point]); });
   }
 
-  /// As pbrt-v4 does. A coefficient that does not vary is 1 there, which leaves `scale`; what is no
-  /// grey becomes a grid.
+  /// As pbrt-v4 does. A coefficient that does not vary is 1 there, which leaves `scale`; coloured
+  /// ones become a grid.
   void write_colors(const desc::Medium& medium) {
     const desc::DensityGrid& grid = *medium.density->grid;
     const desc::Rgb* constant = grid.absorption.empty()   ? &medium.sigma_a
@@ -143,10 +143,10 @@ class Writer {
     return grid.border == desc::DensityGrid::Border::Clamp;
   }
 
-  /// pbrt has values at the middles of cells, and 0 beyond them. What other grids have in their
-  /// box is the same with a larger one; beyond it pbrt has some of the medium, too, unless a
-  /// surface bounds it, as those formats ask for. Our words say where it ends. Returns how many
-  /// points are added at each side, which is 1 if points in the middle of cells go on to the faces.
+  /// pbrt has values at the middles of cells, and 0 beyond them. Other grids are embedded in a
+  /// larger one; beyond their box pbrt has some of the medium, too, unless a surface bounds it, as
+  /// those formats require. Our words have the exact bounds. Returns how many points are added at
+  /// each side, which is 1 if points in the middle of cells extend to the faces.
   int write_box(const desc::DensityGrid& grid, bool goes_on) {
     const bool at_corners = grid.points == desc::DensityGrid::Points::Corners;
     const bool is_extended = !at_corners && goes_on;

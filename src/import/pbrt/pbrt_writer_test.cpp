@@ -69,7 +69,7 @@ AttributeBegin Scale 1 2 3 ObjectInstance "thing" AttributeEnd ObjectInstance "t
 WorldEnd
 )";
 
-TEST(PbrtWriter, WhatItWritesReadsBackAsTheSameScene) {
+TEST(PbrtWriter, RoundTripsTheSameScene) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "scene");
   { std::ofstream(folder.path() / "scene/in.pbrt") << kEverything; }
@@ -90,7 +90,7 @@ TEST(PbrtWriter, WhatItWritesReadsBackAsTheSameScene) {
   EXPECT_EQ(back.lights[3].node.text("image"), (folder.path() / "scene/sky.exr").string());
 }
 
-TEST(PbrtWriter, WritesADepthWhereASceneSaysNone) {
+TEST(PbrtWriter, WritesADefaultDepth) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "scene.pbrt").string();
   desc::SceneDesc scene;
@@ -168,7 +168,7 @@ TEST(PbrtWriter, WritesColorsOfMediaWhateverTheirGrid) {
   }
 }
 
-TEST(PbrtWriter, GridsEndWhereTheyDidInShapesThatAreLarger) {
+TEST(PbrtWriter, GridsKeepTheirBoundsInLargerShapes) {
   using Grid = desc::DensityGrid;
   for (const auto points : {Grid::Points::Centers, Grid::Points::Corners}) {
     for (const auto border : {Grid::Border::Zero, Grid::Border::Clamp}) {
@@ -267,7 +267,7 @@ TEST(PbrtWriter, WritesEmbeddedFilesBeside) {
   EXPECT_EQ(fs::path(file).parent_path(), folder.path() / "room_images");
   EXPECT_EQ(fs::path(file).extension(), ".png");
   EXPECT_EQ(read_file(file).view(), "the bytes");
-  // Others stay as they are, whatever the scene is now.
+  // Others stay as they are, whatever the current scene.
   scene.embedded_files["room.abc/oak.png"] = std::make_shared<const std::string>("other bytes");
   write_pbrt(scene, out.string());
   EXPECT_EQ(read_file(file).view(), "the bytes");

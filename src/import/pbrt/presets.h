@@ -6,7 +6,7 @@
 
 namespace ajar::pbrt {
 
-/// Milk: what pbrt takes for media of its third version, and below surfaces, where nothing is said.
+/// Milk: pbrt's default for media of its third version, and below surfaces.
 ScatteringPreset default_preset();
 
 /// The preset that a scene names at `where`; after a warning the default one for a name that has

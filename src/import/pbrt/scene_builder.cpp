@@ -42,7 +42,7 @@ constexpr WarningKind kNoCamera{Effect::Light, "scenes have no Camera"};
 constexpr WarningKind kNoShapes{Effect::Geometry, "scenes have no shapes"};
 
 constexpr std::size_t kDeepestNesting = 100000;
-/// Of one target; every directive looks at all of them.
+/// Limit of one target; every directive looks at all of them.
 constexpr std::size_t kMostAttributes = 64;
 
 const char* name_of_scope(int kind) {
@@ -102,7 +102,7 @@ void SceneBuilder::pixel_filter(const SourceLocation& where, const std::string& 
 void SceneBuilder::sampler(const SourceLocation& where, const std::string& type,
                            const ParameterList& parameters) {
   if (!in_options(where, "Sampler")) return;
-  // What an integrator says about its number of samples is more specific, whatever comes first.
+  // The integrator's number of samples is more specific, in any order.
   const std::optional<int> of_integrator =
       scene_.hints.integrator == "mmlt" || scene_.hints.integrator == "sppm"
           ? scene_.hints.samples_per_pixel
@@ -432,7 +432,7 @@ void SceneBuilder::show_hidden_lamp(desc::Shape& shape) {
   warnings_.add(kHiddenLamp, shape.where,
                 "with \"alpha\" 0 this lamp shines but is not seen in pbrt-v4: here it is seen");
   shape.alpha = desc::kNone;
-  // What is nothing but a boundary between media cannot shine.
+  // Interfaces between media cannot shine.
   desc::Material& clear = scene_.materials.emplace_back();
   clear.where = shape.where;
   clear.node = clear_material(Passing::Uncounted);
@@ -491,7 +491,7 @@ void SceneBuilder::shape(const SourceLocation& where, const std::string& type,
 // ---------------------------------------------------------------- end
 
 void SceneBuilder::finish_realistic_camera() {
-  // Half the angle of the shorter side of the film, which is what "fov" measures.
+  // Half the angle of the shorter side of the film, as measured by "fov".
   const double aspect = static_cast<double>(scene_.film.resolution.x) / scene_.film.resolution.y;
   const double height = static_cast<double>(film_diagonal_) / std::sqrt(1.0 + aspect * aspect);
   const double half = 0.5 * std::min(height, height * aspect);
@@ -525,8 +525,8 @@ desc::SceneDesc SceneBuilder::finish(const SourceLocation& end) {
   }
   if (!scene_.film.where.file) scene_.film.where = end;
   if (!integrator_) apply_no_integrator(context_);
-  // pbrt-v3 makes the camera at WorldEnd: the medium around it is what is set outside at the top
-  // level there.
+  // pbrt-v3 makes the camera at WorldEnd: the medium around it is the outside at the top level
+  // there.
   scene_.camera.medium = medium_id(context_.is_v4() ? camera_medium_ : state_.outside);
   const auto& [integrator, integrator_where] = integrator_.value_or(std::pair(std::string(), end));
   check_media(context_, integrator_where, integrator);

@@ -25,7 +25,7 @@
 namespace ajar::pbrt {
 
 /// Turns directives, one call each and in the order of the file, into a scene description: pbrt's
-/// graphics state. All calls raise SceneError at `where` for what cannot be used.
+/// graphics state. All calls raise SceneError at `where` for invalid ones.
 class SceneBuilder {
  public:
   SceneBuilder(FileAccess& files, std::string source, const DialectChoice& choice,
@@ -45,20 +45,20 @@ class SceneBuilder {
   void integrator(const SourceLocation& where, const std::string& type,
                   const ParameterList& parameters);
 
-  // Of pbrt-v4 alone.
-  /// `Attribute`: parameters that later directives for `target` have unless they say otherwise.
+  // `Attribute` (pbrt-v4 alone): parameters that later directives for `target` have unless they say
+  // otherwise.
   void attribute(const SourceLocation& where, const std::string& target,
                  const ParameterList& parameters);
-  /// Those that count now; `target` is one of `attribute_targets`.
+  /// Current attributes; `target` is one of `attribute_targets`.
   std::span<const AttributePointer> attributes(std::string_view target) const;
   static const std::vector<std::string>& attribute_targets();
   void color_space(const SourceLocation& where, const std::string& name);
-  /// That of colours written now; null in pbrt-v3, which has none.
+  /// Colour space of colours written now; null in pbrt-v3, which has none.
   const ColorSpace* color_space() const { return state_.color_space; }
   /// `place`: that of the name; `is_on`: unless the value is "false".
   void option(const SourceLocation& where, const SourceLocation& place, const std::string& name,
               bool is_on);
-  /// What a file that is imported changes ends with it.
+  /// Scope of an imported file's changes.
   void import_begin(const SourceLocation& where);
   void import_end();
 
@@ -153,7 +153,7 @@ class SceneBuilder {
   GraphicsState state_;
   std::vector<OpenScope> scopes_;
   std::map<std::string, desc::MediumId> media_;
-  std::set<std::string> unknown_media_;  ///< that were warned of
+  std::set<std::string> unknown_media_;  ///< unknown media that were warned of
   std::vector<AttributePointer> all_attributes_;
   std::map<std::string, desc::ObjectId> objects_;
   desc::ObjectId open_object_ = desc::kNone;

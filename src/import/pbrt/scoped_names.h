@@ -9,8 +9,8 @@
 
 namespace ajar::pbrt {
 
-/// Names that are forgotten, or mean again what they meant before, at the end of the scope they
-/// were defined in. Entering and leaving a scope costs only what was defined in it.
+/// Names that end, or regain their earlier meaning, at the end of the scope they were defined in.
+/// Entering and leaving a scope costs only its own definitions.
 template <typename Value>
 class ScopedNames {
  public:
@@ -38,7 +38,7 @@ class ScopedNames {
     const auto found = names_.find(name);
     return found == names_.end() ? nullptr : &found->second;
   }
-  /// Whether the name was given in the innermost scope.
+  /// True if the name was given in the innermost scope.
   bool is_from_here(const std::string& name) const {
     if (find(name) == nullptr) return false;
     if (marks_.empty()) return true;

@@ -189,7 +189,7 @@ const char* flaw_of(const desc::Node& node) {
   return node.has("z_min") && !(lower_end(node) < higher_end(node)) ? "zmin equals zmax" : nullptr;
 }
 
-/// What pbrt-v4 adds to shapes, and we cannot do.
+/// Shape options of pbrt-v4 that are not supported.
 void report_unsupported(const Source& source, const std::string& type) {
   const ParameterList& p = source.parameters;
   if (type != "plymesh") return;

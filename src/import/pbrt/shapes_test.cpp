@@ -27,7 +27,7 @@ TEST(PbrtShapes, QuadricsHaveTheDefaultsOfPbrt) {
   EXPECT_EQ(node(6).vector("p2"), Vec3(1.F));
 }
 
-TEST(PbrtShapes, SayWhyNothingCanBeSeenOfThem) {
+TEST(PbrtShapes, WarnWhyTheyAreInvisible) {
   for (const auto& [shape, reason] :
        {std::pair("\"sphere\" \"float radius\" -1", "the radius is not positive"),
         std::pair("\"sphere\" \"float zmin\" 3 \"float zmax\" 2", "zmin equals zmax"),
@@ -134,7 +134,7 @@ TEST(PbrtShapes, ThoseOfBadMeshFilesAreLeftOutWithAWarning) {
   EXPECT_EQ(s.shapes[0].name, "a");
 }
 
-TEST(PbrtShapes, OfALampWhoseMeshIsMissingNothingElseIsSaid) {
+TEST(PbrtShapes, MissingMeshOfALampIsOneWarning) {
   const std::string told = warnings_of(
       "Film \"rgb\" Camera \"perspective\" WorldBegin Shape \"sphere\" AreaLightSource \"diffuse\" "
       "\"float power\" 100 Shape \"plymesh\" \"string filename\" \"a.ply\"");

@@ -43,7 +43,7 @@ SpectrumReader::Samples SpectrumReader::samples_of(const std::vector<float>& pai
   return samples;
 }
 
-/// An .spd file: pairs of numbers, # comments. Of an odd number of them pbrt leaves out the last.
+/// An .spd file: pairs of numbers, # comments. The last of an odd number is ignored, as pbrt does.
 SpectrumReader::Samples SpectrumReader::parse_file(std::string_view text,
                                                    const std::string& name) const {
   Lexer lexer(std::make_shared<const std::string>(name), text);

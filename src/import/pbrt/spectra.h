@@ -17,15 +17,15 @@ namespace ajar::pbrt {
 inline constexpr std::array kSpectrumKinds = {ParameterKind::Rgb, ParameterKind::Xyz,
                                               ParameterKind::Blackbody, ParameterKind::Spectrum};
 
-/// What a colour is of, which only pbrt-v4 tells apart.
+/// Role of a colour, which only pbrt-v4 distinguishes.
 ///
 /// Light: pbrt-v4 divides every light by the luminance of its spectrum; of an RGB colour, by that
 /// of its colour space's white. So rgb (1, 1, 1) is the white with luminance 1, black bodies and
 /// spectra keep nothing but their chromaticity, and an ideal film with its default exposure shows
 /// rgb (r, g, b) as just that.
 ///
-/// Other: reflectances, indices of refraction, scattering. A spectrum is what daylight shows of it:
-/// one that is constant is grey.
+/// Other: reflectances, indices of refraction, scattering. Spectra are converted in daylight:
+/// constant ones are grey.
 enum class ColorRole { Light, Other };
 
 /// Colours of parameters, whichever way they are written, as linear RGB.
@@ -37,8 +37,8 @@ class SpectrumReader {
   /// Value of a parameter of one of `kSpectrumKinds` with one value. Empty, after a warning, if it
   /// refers to a file that cannot be used. Raises SceneError if it is not finite.
   std::optional<desc::Rgb> value(const Parameter& parameter, ColorRole role = ColorRole::Other);
-  /// The same for what cannot be negative (light, scattering): such lanes become 0, with a warning
-  /// if the file says so itself or in a wider colour space than ours.
+  /// Values that cannot be negative (light, scattering): negative lanes become 0, with a warning if
+  /// the file says so itself or in a wider colour space than ours.
   std::optional<desc::Rgb> positive_value(const Parameter& parameter,
                                           ColorRole role = ColorRole::Other);
   desc::Rgb get_positive(const ParameterList& parameters, std::string_view name,
@@ -58,7 +58,7 @@ class SpectrumReader {
   std::optional<desc::Rgb> from_file(const Parameter& parameter, ColorRole role);
   /// Empty for names that pbrt-v4 does not have.
   std::optional<desc::Rgb> from_name(const Parameter& parameter, ColorRole role);
-  /// Tells of a colour of a wider space, which `color` is in ours; false if it fits.
+  /// Warns of a colour of a wider space, which `color` is in ours; false if it fits.
   bool warn_of_gamut(const Parameter& parameter, const desc::Rgb& color);
   desc::Rgb from_samples(const Samples& samples, ColorRole role) const;
 

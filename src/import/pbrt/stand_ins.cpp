@@ -17,7 +17,7 @@ constexpr WarningKind kNoSubsurface{
 constexpr WarningKind kTexturedStandIn{
     Effect::Surface, "parameters of stand-ins are textures: their defaults count"};
 
-/// What a stand-in is made of.
+/// Inputs of a stand-in.
 struct Original {
   const SourceLocation& where;
   const TextureParameters& p;
@@ -97,8 +97,8 @@ float diffuse_reflectance(float reduced_albedo) {
   return 0.5F * reduced_albedo * (1.F + std::exp(-4.F / 3.F * root)) * std::exp(-root);
 }
 
-/// What light that enters a medium comes back as. pbrt-v3 takes from a preset what no coefficient
-/// says; pbrt-v4 has one of three: a preset, coefficients, a reflectance.
+/// Albedo of a subsurface medium. pbrt-v3 takes coefficients that are not given from a preset;
+/// pbrt-v4 has one of three: a preset, coefficients, a reflectance.
 desc::Value color_below(const Original& from) {
   const std::optional<ScatteringPreset> preset =
       preset_named(from.p.context(), from.where, from.p.text("name"));
@@ -126,7 +126,7 @@ desc::Value color_below(const Original& from) {
 
 desc::Node coated(const Original& from, desc::Value color) {
   const TextureParameters& p = from.p;
-  p.accept({"scale"});  // of distances below the surface
+  p.accept({"scale"});  // scale of distances below the surface
   desc::Node node = desc::material_node("coated_diffuse", {{"coat", "dielectric"}});
   if (!from.is_v4()) {
     // Light is tinted where it enters, not where it leaves.

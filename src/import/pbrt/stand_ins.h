@@ -8,7 +8,7 @@
 
 namespace ajar::pbrt {
 
-/// A node of what looks most like a material of pbrt's that we cannot render, after a warning:
+/// A node of the nearest equivalent of a material of pbrt's that we cannot render, after a warning:
 /// hair, subsurface scattering, measured and tabulated materials. Empty for other types.
 std::optional<desc::Node> make_stand_in(const SourceLocation& where, const std::string& type,
                                         const TextureParameters& parameters);

@@ -69,7 +69,7 @@ void set_place(const Context& context, desc::Node& node, const SourceLocation& w
   constexpr const char* kPlace = "world_to_texture";
   if (!node.has(kPlace)) return;
   if (!node.has("mapping")) {
-    // Of solid textures pbrt-v3 uses the transform itself, not its inverse.
+    // Solid textures of pbrt-v3 use the transform itself, not its inverse.
     const Mat4 place = context.is_v4() ? inverse_place(where, ctm) : ctm;
     return node.set(kPlace, std::make_shared<const Mat4>(place));
   }
@@ -109,11 +109,11 @@ bool may_exceed_one(const desc::Node& image) {
          extension == ".pfm";
 }
 
-/// What pbrt-v4 says of images.
+/// Adds pbrt-v4's options of images.
 void finish_image(const Context& context, const SourceLocation& where,
                   const ParameterList& parameters, bool is_float, desc::Node& image) {
   if (is_float && image.text("channel") == "color") {
-    // What pbrt does not interpolate is its first channel.
+    // Uninterpolated images of pbrt have only their first channel.
     const std::string filter = parameters.get_string("filter", "bilinear");
     const bool is_first = filter == "point" || filter == "ewa";
     image.set("channel", is_first ? "red" : "varying_alpha_or_mean");
@@ -124,7 +124,7 @@ void finish_image(const Context& context, const SourceLocation& where,
   } else if (is_float && image.text("channel") == "varying_alpha_or_mean") {
     image.set("channel", std::string("mean"));
   }
-  // Whatever light a colour returns is at most all of it.
+  // Reflected colours are clamped to 1.
   if (!is_float && may_exceed_one(image)) image.set("clamp", true);
   if (parameters.get_string("filter", "bilinear") == "point") {
     image.set("filter", std::string("nearest"));

@@ -12,7 +12,7 @@ namespace ajar::pbrt {
 /// pbrt keeps textures of numbers and of colours apart, even under the same name.
 enum class TextureClass { Float, Spectrum };
 
-/// Whether pbrt-v4 reads an image of this name as its encoding says. The formats that it leaves to
+/// True if pbrt-v4 reads an image of this name as its encoding says. The formats that it leaves to
 /// a library are three channels of sRGB in any case.
 bool obeys_encoding(const std::string& file);
 
@@ -52,7 +52,7 @@ class TextureParameters {
   TextureParameters(Context& context, TextureTable& table, const ParameterList& first,
                     const ParameterList* second = nullptr, ColorRole role = ColorRole::Other)
       : context_(context), table_(table), lists_{&first, second}, role_(role) {}
-  /// Of a light.
+  /// Parameters of a light.
   static TextureParameters of_light(Context& context, TextureTable& table,
                                     const ParameterList& list) {
     return {context, table, list, nullptr, ColorRole::Light};
@@ -81,7 +81,7 @@ class TextureParameters {
 
  private:
   std::optional<float> mean_of_spectrum(const ParameterList& list, std::string_view name) const;
-  /// What `get` finds in the first list that has it.
+  /// Result of `get` for the first list that has it.
   template <typename Get>
   auto first_of(Get get) const -> decltype(get(std::declval<const ParameterList&>())) {
     for (const ParameterList* list : lists_) {

@@ -41,7 +41,7 @@ TEST(Pbrt4Colors, SpacesMapTheirPrimaries) {
   EXPECT_NEAR(red_of_aces.z, -0.02, 0.03);
 }
 
-TEST(Pbrt4Colors, AreOfTheSpaceThatIsCurrentWhereTheyAreWritten) {
+TEST(Pbrt4Colors, AreOfTheCurrentSpace) {
   const std::string two_lights =
       "AttributeBegin ColorSpace \"rec2020\" LightSource \"point\" \"rgb I\" [0 1 0] AttributeEnd "
       "LightSource \"point\" \"rgb I\" [0 1 0]";

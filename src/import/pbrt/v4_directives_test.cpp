@@ -108,7 +108,7 @@ TEST(Pbrt4Attribute, GivesDefaultsWithinItsBlock) {
                        "unknown target of Attribute \"shapes\"; did you mean \"shape\"?"));
 }
 
-TEST(Pbrt4Attribute, IsAWarningWhereNothingAsksForIt) {
+TEST(Pbrt4Attribute, IsAWarningWhereItIsUnused) {
   EXPECT_TRUE(
       contains(v4_warnings("Attribute \"shape\" \"float alhpa\" .5"),
                "test.pbrt:2:19: unused parameter \"float alhpa\"; did you mean \"alpha\"?"));
@@ -121,7 +121,7 @@ TEST(Pbrt4Attribute, IsAWarningWhereNothingAsksForIt) {
             "");
 }
 
-TEST(Pbrt4Import, KeepsItsStateToItself) {
+TEST(Pbrt4Import, RestoresTheState) {
   const std::map<std::string, std::string> files = {
       {"part.pbrt", "Scale 2 2 2 Material \"dielectric\" Shape \"disk\""}};
   const desc::SceneDesc s = v4_scene("Import \"part.pbrt\" Shape \"sphere\"", files);
@@ -260,7 +260,7 @@ TEST(Pbrt4Media, HaveGridsOfColors) {
       contains(error("\"rgb sigma_a\" [1 2 3] \"rgb sigma_s\" [0 1 0 1 0 2]"), "differ in size"));
 }
 
-TEST(Pbrt4Media, TheCamerasIsThatOutsideWhereItIsMade) {
+TEST(Pbrt4Media, CameraMediumIsTheOutsideAtItsDirective) {
   Warnings warnings;
   const desc::SceneDesc s = import_with(
       "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" MediumInterface \"\" \"fog\" "
@@ -288,7 +288,7 @@ TEST(Pbrt4Directives, TransformBlocksKeepAllOfTheState) {
   EXPECT_EQ(v3.shapes.back().to_world, Mat4());
 }
 
-TEST(Pbrt4Options, ThatAreNotSupportedAreWarnings) {
+TEST(Pbrt4Options, UnsupportedOnesAreWarnings) {
   const auto warnings = [](const std::string& options) {
     return warnings_of(v4_world("", options));
   };
@@ -300,7 +300,7 @@ TEST(Pbrt4Options, ThatAreNotSupportedAreWarnings) {
   EXPECT_TRUE(contains(warnings("Accelerator \"octree\""), "unknown accelerator \"octree\""));
 }
 
-TEST(Pbrt4Lamps, ThatShouldNotBeSeenAreSeenInsteadOfLeftOut) {
+TEST(Pbrt4Lamps, InvisibleOnesAreMadeVisible) {
   Warnings warnings;
   const desc::SceneDesc scene = import_with(
       v4_world("AreaLightSource \"diffuse\" Shape \"disk\" \"float alpha\" 0"), warnings);
@@ -308,11 +308,11 @@ TEST(Pbrt4Lamps, ThatShouldNotBeSeenAreSeenInsteadOfLeftOut) {
   const desc::Shape& lamp = scene.shapes.at(0);
   EXPECT_TRUE(lamp.emission);
   EXPECT_EQ(lamp.alpha, desc::kNone);
-  // What is nothing but a boundary between media would not shine.
+  // Interfaces between media would not shine.
   EXPECT_EQ(material_node_of(scene, lamp), clear_material(Passing::Uncounted));
 }
 
-TEST(Pbrt4Media, ThatGlowAreDarkWithAWarning) {
+TEST(Pbrt4Media, EmissiveOnesAreDarkWithAWarning) {
   EXPECT_TRUE(contains(v4_warnings("MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"float "
                                    "density\" 1 \"float temperature\" 900"),
                        "test.pbrt:2:1: media that emit light are not supported: dark"));

@@ -15,10 +15,10 @@ desc::Rgb scale_of(const std::string& body) {
   return v4_scene(body).shapes.at(0).emission->node.color("scale");
 }
 
-TEST(Pbrt4Lights, PowerIsThatOfAllThatALightEmits) {
+TEST(Pbrt4Lights, PowerIsTheTotalFlux) {
   expect_rgb(light_of("LightSource \"point\" \"float power\" 100").node.color("intensity"),
              desc::Rgb(100.F / kPi4), 1e-4F);
-  // What the colour of the light adds is its own.
+  // The colour of the light multiplies its power.
   expect_rgb(light_of("LightSource \"point\" \"rgb I\" [2 2 2] \"float power\" 100")
                  .node.color("intensity"),
              desc::Rgb(200.F / kPi4), 1e-4F);
@@ -32,7 +32,7 @@ TEST(Pbrt4Lights, PowerIsThatOfAllThatALightEmits) {
             desc::Rgb(1.F));
 }
 
-TEST(Pbrt4Lights, PowerOfImagesIsLeftToThoseWhoReadThem) {
+TEST(Pbrt4Lights, PowerOfImagesIsAParameter) {
   EXPECT_TRUE(
       light_of("LightSource \"goniometric\" \"string filename\" \"sky.exr\"").node.flag("gray"));
   EXPECT_EQ(light_of("LightSource \"goniometric\" \"string filename\" \"sky.exr\" "

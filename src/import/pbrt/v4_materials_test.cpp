@@ -97,7 +97,7 @@ TEST(Pbrt4Materials, NamesOutliveTheirBlock) {
   EXPECT_TRUE(material_node_of(s, s.shapes.back()).is("dielectric"));
 }
 
-TEST(Pbrt4Materials, ThatWeLackHaveStandInsThatLookLikeThem) {
+TEST(Pbrt4Materials, UnsupportedOnesHaveSimilarReplacements) {
   EXPECT_TRUE(contains(v4_warnings("Material \"hair\""),
                        "test.pbrt:2:1: material \"hair\" is not supported: a matte one stands in"));
   const auto stand_in = [](const std::string& body) {
@@ -135,7 +135,7 @@ TEST(Pbrt4Materials, HairHasTheColorThatItReflects) {
       "unused parameter \"rgb reflectance\""));
 }
 
-TEST(Pbrt4Materials, StandInsLookTheirTexturesUp) {
+TEST(Pbrt4Materials, ReplacementsKeepTheirTextures) {
   for (const char* parameter : {"\"hair\" \"texture sigma_a\"", "\"hair\" \"texture eumelanin\"",
                                 "\"hair\" \"texture beta_m\"", "\"subsurface\" \"texture sigma_s\"",
                                 "\"subsurface\" \"texture mfp\""}) {
@@ -155,7 +155,7 @@ TEST(Pbrt4Materials, StandInsLookTheirTexturesUp) {
   expect_rgb(eumelanin("\"texture eumelanin\" \"n\""), desc::Rgb(1.F));
 }
 
-TEST(Pbrt4Materials, BelowTheSurfaceOneOfThreeCounts) {
+TEST(Pbrt4Materials, SubsurfaceUsesOneOfThreeParameterSets) {
   const auto color = [](const std::string& parameters) {
     const desc::SceneDesc s = v4_scene_with_warnings("Material \"subsurface\" " + parameters);
     return material_node_of(s, s.shapes.back()).color("diffuse_reflectance");
@@ -186,13 +186,13 @@ TEST(Pbrt4Materials, MetalsHaveAnIndexOrAReflectance) {
   EXPECT_EQ(v4_warnings("Material \"conductor\" " + both), "");
 }
 
-TEST(Pbrt4Materials, CoatedMetalsAreMetAsOftenAsTheyMay) {
+TEST(Pbrt4Materials, CoatedMetalsKeepTheirMaximumDepth) {
   const std::string metal = "Material \"coatedconductor\" \"integer maxdepth\" ";
   EXPECT_EQ(v4_warnings(metal + "2"), "");
   EXPECT_EQ(v4_material(metal + "2").integer("bounces"), 1);
 }
 
-TEST(Pbrt4Materials, WhatCannotBeDoneIsSaidWithItsPlace) {
+TEST(Pbrt4Materials, UnsupportedOptionsHaveLocatedWarnings) {
   EXPECT_TRUE(contains(v4_warnings("Material \"difuse\""),
                        "test.pbrt:2:1: unknown material \"difuse\"; did you mean \"diffuse\"?"));
   EXPECT_TRUE(
@@ -243,7 +243,7 @@ TEST(Pbrt4Materials, MixesOfPartsWithOtherReliefsAreAWarning) {
                        "test.pbrt:3:1: the parts of this mix differ in their bump or normal map: "
                        "that of \"plain\" counts for both"));
   EXPECT_EQ(warnings("bumpy"), "");
-  // The same file is the same relief.
+  // One file is one relief.
   const std::string map = "\"string type\" \"diffuse\" \"string normalmap\" \"n.png\" ";
   EXPECT_EQ(v4_warnings("MakeNamedMaterial \"a\" " + map + "MakeNamedMaterial \"b\" " + map +
                             "Material \"mix\" \"string materials\" [\"a\" \"b\"]",

@@ -17,7 +17,7 @@ inline desc::SceneDesc v4_scene(const std::string& body, const Files& files = {}
   expect_none(warnings, body + "\n");
   return scene;
 }
-/// The same, whatever the warnings.
+/// Scene of a body, whatever the warnings.
 inline desc::SceneDesc v4_scene_with_warnings(const std::string& body, const Files& files = {}) {
   Warnings warnings;
   return import_with(v4_world(body), warnings, files);

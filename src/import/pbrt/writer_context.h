@@ -13,15 +13,15 @@
 
 namespace ajar::pbrt {
 
-/// What every part of the writer works with.
+/// State shared by all parts of the writer.
 struct WriterContext {
   const desc::SceneDesc& scene;
-  std::filesystem::path path;  ///< of the pbrt file
+  std::filesystem::path path;  ///< path of the pbrt file
   std::vector<TextureUse> texture_uses;
   std::vector<std::string> texture_names, material_names, medium_names, object_names;
   ImageWriter images;
   TextWriter out;
-  /// How often each of our words was written that pbrt does not know.
+  /// Counts of our written words that pbrt does not know.
   std::map<std::string, int> unknown_parameters, unknown_models;
 
   WriterContext(const desc::SceneDesc& described, const std::string& out_path);
@@ -32,13 +32,12 @@ struct WriterContext {
   std::string medium_name(desc::MediumId id) const;
   /// The interface of lights and the camera, which know only the outside.
   void medium_outside(desc::MediumId outside);
-  /// What pbrt-v3 does not know of all that was written, as people are told; empty if it knows all.
+  /// Message on written words that pbrt-v3 does not know; empty if it knows all.
   std::string unknown_to_pbrt() const;
 };
 
 /// The parameters of a node by the names that pbrt has for them; without `names`, by ours.
-/// `numbers_for_colors`: as a texture of numbers has them.
-/// `substitutes`: what pbrt is told instead.
+/// `numbers_for_colors`: as a texture of numbers has them. `substitutes`: values for pbrt instead.
 void write_parameters(WriterContext& context, const desc::Node& node, const ModelName* names,
                       bool numbers_for_colors = false, const Substitutes& substitutes = {});
 /// All parameters of a node by words of ours alone, for a model that pbrt does not have.

@@ -5,8 +5,8 @@
 
 namespace ajar::pbrt {
 
-/// What one pbrt curve can say: segments that share their ends, and a width that changes evenly
-/// over all of them.
+/// Content of one pbrt curve: segments that share their ends, and a width that changes evenly over
+/// all of them.
 struct CurveChain {
   std::vector<Vec3> points;   ///< 3 for each segment, and 1
   std::vector<Vec3> normals;  ///< 1 for each segment, and 1; or none

@@ -1,5 +1,5 @@
-// What pbrt-v3 itself makes of a file that Ajar writes: its words have what comes nearest, and
-// Ajar's own beside them what is meant.
+// Reading by pbrt-v3 itself of a file that Ajar writes: its words have the nearest equivalents, and
+// Ajar's own beside them the exact values.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A written file, what Ajar reads of it, and what the writer tells.
+/// A written file, the scene that Ajar reads from it, and the writer's message.
 struct Written {
   std::string text;
   desc::SceneDesc back;
@@ -69,7 +69,7 @@ TEST(WriterForPbrt, GivesMetalsTheIndexThatReflectsTheSame) {
   EXPECT_TRUE(contains(text, "\"rgb k\" [ 2 0 4")) << text;
 }
 
-TEST(WriterForPbrt, SaysAlphaWhereRoughnessIsItsSquare) {
+TEST(WriterForPbrt, WritesAlphaWhereRoughnessIsItsSquare) {
   for (const char* name : {"dielectric", "conductor", "coated_diffuse", "composite"}) {
     const std::string text =
         written_material(desc::material_node(name, {{"roughness", 0.25F},
@@ -95,7 +95,7 @@ TEST(WriterForPbrt, MakesSmoothMetalAsSmoothAsItCan) {
   EXPECT_TRUE(contains(text, "\"float uroughness\" [ 0 ]")) << text;
 }
 
-TEST(WriterForPbrt, SaysNothingOfGammaButWhereItIsOff) {
+TEST(WriterForPbrt, WritesGammaOnlyWhereItIsOff) {
   const auto text = [](bool decode) {
     desc::SceneDesc scene;
     scene.textures.emplace_back().node =
@@ -110,7 +110,7 @@ TEST(WriterForPbrt, SaysNothingOfGammaButWhereItIsOff) {
   EXPECT_TRUE(contains(text(false), "\"bool gamma\" \"false\""));
 }
 
-TEST(WriterForPbrt, WritesNoWordsOfItsOwnThatSayNothing) {
+TEST(WriterForPbrt, OmitsItsOwnWordsWithoutEffect) {
   desc::SceneDesc scene;
   scene.textures.emplace_back().node = desc::texture_node("image", {{"file", "/a.png"}});
   scene.materials.emplace_back().node =
@@ -170,7 +170,7 @@ TEST(WriterForPbrt, KeepsWidthsAlongStrands) {
       ASSERT_NEAR(width_at(back, x), width_at(scene, x), 0.02F) << x;
     }
   }
-  // What changes evenly is one curve.
+  // Evenly changing widths make one curve.
   EXPECT_EQ(written(strand({1.F, 2.F, 3.F, 4.F, 4.F, 5.F, 6.F, 7.F})).back.shapes.size(), 1U);
 }
 
@@ -182,7 +182,7 @@ TEST(WriterForPbrt, NamesPicturesAsPbrtCan) {
   EXPECT_TRUE(contains(written(scene).text, "\"string filename\" \"a.PNG\""));
 }
 
-TEST(WriterForPbrt, SaysHowManyIterationsThereAre) {
+TEST(WriterForPbrt, WritesTheNumberOfIterations) {
   desc::SceneDesc scene;
   scene.hints.integrator = "sppm";
   scene.hints.samples_per_pixel = 7;
@@ -222,7 +222,7 @@ std::string picture(const TemporaryFolder& folder, const std::string& name,
   return path.string();
 }
 
-/// What pbrt reads of the file that a parameter names: three channels of each texel.
+/// Pixels that pbrt reads from the file that a parameter names: three channels of each texel.
 std::vector<float> seen_by_pbrt(const Written& result, const TemporaryFolder& folder,
                                 const std::string& parameter) {
   const std::string begin = "\"string " + parameter + "\" \"";
@@ -243,7 +243,7 @@ Written written_image(const TemporaryFolder& folder, const desc::Node& node) {
   return result;
 }
 
-TEST(WriterForPbrt, WritesImagesThatPbrtCannotOpenAsOnesThatItCan) {
+TEST(WriterForPbrt, ConvertsImagesThatPbrtCannotOpen) {
   const TemporaryFolder folder;
   const std::string file = picture(folder, "a.hdr");
   const Written result = written_image(folder, desc::texture_node("image", {{"file", file}}));
@@ -262,7 +262,7 @@ TEST(WriterForPbrt, WritesImagesThatPbrtCannotOpenAsOnesThatItCan) {
   }
 }
 
-TEST(WriterForPbrt, WritesImagesWithWhatPbrtHasNoWordsFor) {
+TEST(WriterForPbrt, BakesUnsupportedOptionsIntoImages) {
   const TemporaryFolder folder;
   const std::string file = picture(folder, "a.png");
   const auto seen = [&](desc::Node node) {
@@ -333,13 +333,13 @@ TEST(WriterForPbrt, UnfoldsSquareSkies) {
       ASSERT_EQ(seen[3 * (64 * y + x)], y < 16 ? 1.F : 0.F) << x << ' ' << y;
     }
   }
-  // A white half alone would light what faces it by π, times the radiance.
+  // A white half alone would light surfaces toward it by π, times the radiance.
   const std::size_t at = result.text.find("\"rgb L\" [ ");
   ASSERT_NE(at, std::string::npos);
   EXPECT_NEAR(std::stof(result.text.substr(at + 10)), 2.F * 6.F, 0.2F);
 }
 
-TEST(WriterForPbrt, LeavesSkiesThatAreNoSquaresTheirRows) {
+TEST(WriterForPbrt, KeepsTheRowsOfRectangularSkies) {
   const TemporaryFolder folder;
   desc::SceneDesc scene;
   desc::Node sky = desc::light_node("environment", {{"image", picture(folder, "wide.exr", {4, 2})},
@@ -351,7 +351,7 @@ TEST(WriterForPbrt, LeavesSkiesThatAreNoSquaresTheirRows) {
   EXPECT_EQ(result.unknown, "");
 }
 
-TEST(WriterForPbrt, TellsOfImagesThatCannotBeRead) {
+TEST(WriterForPbrt, WarnsOfUnreadableImages) {
   const TemporaryFolder folder;
   desc::SceneDesc scene;
   scene.textures.emplace_back().node =
@@ -372,7 +372,7 @@ TEST(WriterForPbrt, UnknownModelsOfOursAreErrors) {
   }
 }
 
-TEST(WriterForPbrt, WritesNoImageOfWhatIsNotUsed) {
+TEST(WriterForPbrt, WritesNoImageOfUnusedTextures) {
   const TemporaryFolder folder;
   desc::SceneDesc scene;
   scene.textures.emplace_back().node =
@@ -381,7 +381,7 @@ TEST(WriterForPbrt, WritesNoImageOfWhatIsNotUsed) {
   EXPECT_FALSE(fs::exists(folder.path() / "scene_images"));
 }
 
-TEST(WriterForPbrt, SaysHowBrightASkyIsThatIsScaled) {
+TEST(WriterForPbrt, WritesTheScaleOfASky) {
   desc::SceneDesc scene;
   scene.lights.emplace_back().node =
       desc::light_node("environment", {{"radiance", Vec3(2.F)}, {"irradiance", 3.14159265F}});
@@ -508,7 +508,7 @@ TEST(WriterForPbrt, KeepsBareMeshesAndTheirColors) {
   }
 }
 
-TEST(WriterForPbrt, TellsWhatPbrtDoesNotKnow) {
+TEST(WriterForPbrt, ReportsNamesUnknownToPbrt) {
   desc::SceneDesc scene;
   for (int i = 0; i < 2; ++i) {
     scene.materials.emplace_back().node = desc::material_node("dielectric", {{"thin", true}});
@@ -519,7 +519,7 @@ TEST(WriterForPbrt, TellsWhatPbrtDoesNotKnow) {
   EXPECT_EQ(written(scene).unknown,
             "pbrt-v3 does not know, and shows otherwise, these models: coated_conductor, "
             "threshold; parameters: thin (2 times)");
-  // What it has by the same or another name, it knows.
+  // Models that pbrt has by the same or another name are known to it.
   desc::SceneDesc known;
   for (const char* name : {"mirror", "plastic", "translucent", "composite", "diffuse"}) {
     desc::Node node = desc::material_node(name);

@@ -25,7 +25,7 @@ bool opens_in_pbrt(const std::string& image) {
   return extension == ".exr" || extension == ".png" || extension == ".tga" || extension == ".pfm";
 }
 
-/// What makes linear values of those in a file.
+/// Decodes the values in a file to linear ones.
 struct Decoding {
   bool is_integer;
   bool is_srgb;
@@ -47,7 +47,7 @@ std::optional<float> number_if_given(const desc::Node& node, const char* name) {
 
 float mean_of(const Vec3& c) { return (c.x + c.y + c.z) / 3.F; }
 
-/// What is taken of the channels of a texel, as `channel` of an image texture says.
+/// Selection among the channels of a texel, by `channel` of an image texture.
 struct Choice {
   std::string channel;
   const ColorChannels& from;
@@ -75,7 +75,7 @@ std::string key_of(const desc::Node& texture) {
                      texture.text("file"));
 }
 
-/// `channel` of a texture, with what depends on the image settled.
+/// `channel` of a texture, resolved for the image.
 std::string settled_channel(const std::string& channel, const ImageInput& input,
                             const std::vector<float>& values) {
   const ColorChannels& colors = input.colors();
@@ -100,7 +100,7 @@ std::optional<LinearImage> ImageWriter::read_linear(const desc::Node& node,
     if (embedded != scene_.embedded_files.end()) memory.emplace(*embedded->second);
     ImageInput input(memory ? memory->path() : image, true);
     const ImageHeader& header = input.header();
-    // The texels themselves, and what is made of them.
+    // The texels themselves, and their conversion.
     const std::vector<float> values =
         input.read<float>(header.channels, 3 * header.pixels() * sizeof(Vec3));
     const bool is_integer = header.type == SampleType::UInt8 || header.type == SampleType::UInt16;

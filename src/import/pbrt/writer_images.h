@@ -12,7 +12,7 @@
 namespace ajar::pbrt {
 
 /// The images of a scene for pbrt-v3: it opens EXR, PNG, TGA and PFM files, takes the colours of
-/// all of them, and decodes none in lights. What it would not see as it is meant is written again,
+/// all of them, and decodes none in lights. Images that it would read differently are converted,
 /// into the folder "<stem>_images" beside the scene: PNG where 8 bits hold it, else EXR. All
 /// functions raise IoError for files that cannot be written (`WriterFiles`).
 class ImageWriter {
@@ -25,8 +25,8 @@ class ImageWriter {
   /// is written.
   std::string name(const std::string& image);
 
-  /// Absolute path of what is written for pbrt in place of the image of a texture; nothing if pbrt
-  /// sees it as it is, or it cannot be read.
+  /// Absolute path of the image that is written for pbrt in place of a texture's; nothing if pbrt
+  /// reads that equally, or it cannot be read.
   std::optional<std::string> for_texture(const desc::Node& texture);
   /// An image of 1 where that of a texture is at least `edge`, else 0; nothing if it cannot be
   /// read, or is not mapped by coordinates of the surface.
@@ -34,8 +34,9 @@ class ImageWriter {
   /// Absolute path of an image of a clear sky, as the light of this model.
   std::string sky(const desc::Node& light);
   struct LightImage {
-    std::optional<std::string> file;  ///< of what pbrt is to see; nothing as for a texture
-    std::optional<float> factor;      ///< of the light, where it is scaled to a given strength
+    std::optional<std::string> file;  ///< file for pbrt; nothing as for a texture
+    std::optional<float> factor;      ///< factor of the light, where it is scaled to a given
+                                      ///< strength
   };
   LightImage for_light(const desc::Node& light);
   /// Mean colour of an image texture; nothing if it cannot be read.
@@ -53,7 +54,7 @@ class ImageWriter {
   const desc::SceneDesc& scene_;
   std::filesystem::path path_;
   WriterFiles files_;
-  // What is known already, by all that it follows from.
+  // Results so far, by all their inputs.
   std::map<std::string, std::optional<std::string>> textures_;
   std::map<std::string, LightImage> lights_;
   std::map<std::string, std::optional<Vec3>> means_;

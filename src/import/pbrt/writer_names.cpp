@@ -39,7 +39,7 @@ class UseFinder {
     visit(shape.node, {false, true});
     if (shape.emission) visit(shape.emission->node, {false, true});
   }
-  /// `use_of_colors`: how the textures are used that stand for colours.
+  /// `use_of_colors`: use of the textures for colours.
   void visit(const desc::Node& node, TextureUse use_of_colors) {
     for (std::size_t i = 0; i < node.values().size(); ++i) {
       const auto* reference = std::get_if<desc::TextureRef>(&node.values()[i]);

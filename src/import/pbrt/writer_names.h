@@ -7,7 +7,7 @@
 
 namespace ajar::pbrt {
 
-/// Which textures are read as numbers and which as colours: pbrt declares them apart.
+/// Use of textures as numbers and as colours: pbrt declares them apart.
 struct TextureUse {
   bool as_float = false;
   bool as_spectrum = false;

@@ -13,8 +13,8 @@ struct ValueWriter {
 
   void operator()(std::monostate) const {}
   void operator()(bool value) const {
-    // pbrt's defaults are ours, but for "gamma", which depends on the file there: it is what this
-    // says of files of integers, and must not be said of others.
+    // pbrt's defaults are ours, but for "gamma", which depends on the file there: it is written for
+    // files of integers only.
     if (desc::Value(value) != desc::default_value(spec)) context.out.flag(name, value);
   }
   void operator()(int value) const { context.out.parameter("integer " + name, value); }
@@ -40,9 +40,9 @@ struct ValueWriter {
     context.out.parameter("string " + name,
                           context.material_names.at(static_cast<std::size_t>(value.id)));
   }
-  /// What has a place is written under a transform of its own.
+  /// Transforms are written as a transform of the object.
   void operator()(const desc::TransformPointer&) const {}
-  /// What shapes are made of is written with them.
+  /// Meshes and curves are written with their shapes.
   void operator()(const desc::MeshPointer&) const {}
   void operator()(const desc::CurvesPointer&) const {}
 };

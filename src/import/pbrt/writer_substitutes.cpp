@@ -29,7 +29,7 @@ void add_index(const Vec3& reflectance, Substitutes& result) {
   result["reflectance"] = desc::Value();
 }
 
-/// Where pbrt would map the roughness, its maps are others than squares: what they lead to.
+/// Other maps than squares, where pbrt would map the roughness: resolved to α.
 void add_alpha(const desc::Node& node, Substitutes& result) {
   const bool is_uneven =
       node.has("roughness_v") && !std::holds_alternative<std::monostate>(node.get("roughness_v"));

@@ -16,7 +16,7 @@ std::optional<Mat4> place_of(const desc::Node& node) {
   return inverse(node.transform(kPlace));
 }
 
-/// An image that is written for pbrt has in it what pbrt has no words for.
+/// An image that is written for pbrt includes the options that pbrt does not have.
 Substitutes substitutes_of(WriterContext& context, const desc::Node& node) {
   if (!node.is("image")) return {};
   const std::optional<std::string> file = context.images.for_texture(node);

@@ -37,7 +37,7 @@ class PlyImages : public ::testing::Test {
         scene.materials.at(material).node.get("base_color"));
   }
   TemporaryFolder folder_;
-  std::optional<Warnings> warnings_;  ///< of the last scene
+  std::optional<Warnings> warnings_;  ///< warnings of the last scene
 };
 
 TEST_F(PlyImages, OfTheHeaderAreOnTheMesh) {
@@ -49,7 +49,7 @@ TEST_F(PlyImages, OfTheHeaderAreOnTheMesh) {
   EXPECT_TRUE(scene.files.contains((folder_.path() / "a cat.png").string()));
 }
 
-TEST_F(PlyImages, ThatCannotBeThereAreWarningsWithTheirLine) {
+TEST_F(PlyImages, ForbiddenOnesAreWarningsWithTheirLine) {
   const auto remark_on = [&](const std::string& text) {
     EXPECT_FALSE(has_image(scene_of(text)));
     return lines_of(*warnings_);
@@ -64,7 +64,7 @@ TEST_F(PlyImages, ThatCannotBeThereAreWarningsWithTheirLine) {
                        "the vertices have no texture coordinates"));
 }
 
-TEST_F(PlyImages, CountBeforeOthersAndBeforeColours) {
+TEST_F(PlyImages, TakePrecedenceOverOthersAndColours) {
   const desc::SceneDesc scene = scene_of(file_with(
       "comment a\ncomment TextureFile a cat.png\ncomment TextureFile b.png\n", true, true));
   EXPECT_TRUE(has_image(scene));

@@ -26,20 +26,20 @@ void add_triangle(desc::Mesh& mesh, const Vec3 (&corners)[3]) {
   mesh.indices.emplace_back(first, first + 1, first + 2);
 }
 
-/// How many triangles a binary file says it has.
+/// Number of triangles in the header of a binary file.
 std::uint32_t count_of(std::string_view bytes) {
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + kHeaderSize, sizeof(count));
   return count;
 }
 
-/// Whether the records that the header counts are there. Headers may begin with "solid", too.
+/// True if the records that the header counts are there. Headers may begin with "solid", too.
 bool is_complete_binary(std::string_view bytes) {
   if (bytes.size() < kFirstRecord) return false;
   return (bytes.size() - kFirstRecord) / kRecordSize >= count_of(bytes);
 }
 
-/// What the two bytes behind a triangle say of its colour.
+/// Colour of a triangle, from the two bytes behind it.
 class FacetColors {
  public:
   explicit FacetColors(std::string_view header) {
@@ -73,7 +73,7 @@ class FacetColors {
   bool red_is_first_ = false;
   bool has_some_ = false;
   Vec3 usual_{1.F};
-  std::vector<Vec3> colors_;  ///< of three vertices for each triangle
+  std::vector<Vec3> colors_;  ///< colours of three vertices for each triangle
 };
 
 StlContents read_binary(std::string_view bytes) {
@@ -193,7 +193,7 @@ class AsciiReader {
 
   std::string_view text_;
   std::shared_ptr<const std::string> name_;
-  std::size_t begin_ = 0, end_ = 0;  ///< of the word
+  std::size_t begin_ = 0, end_ = 0;  ///< bounds of the word
   std::string_view word_;
 };
 

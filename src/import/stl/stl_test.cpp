@@ -75,7 +75,7 @@ TEST(Stl, BinaryHeadersMayBeginLikeAscii) {
   EXPECT_EQ(read_stl(bytes, "a.stl").mesh.indices.size(), 1U);
 }
 
-TEST(Stl, BinaryFilesThatEndEarlySayWhatIsMissing) {
+TEST(Stl, TruncatedBinaryFilesAreErrorsWithTheMissingCount) {
   EXPECT_EQ(error_of(binary(3, 2)),
             "a.stl: the file ends early: 3 triangles need 234 bytes, and there are 184");
   EXPECT_TRUE(error_of(binary(0xffffffffU, 1)).find("ends early") != std::string::npos);

@@ -10,7 +10,7 @@
 #include "core/warnings.h"
 #include "import/file_provider.h"
 
-/// What the tests of all formats share.
+/// Fixtures of the tests of all formats.
 namespace ajar {
 
 /// Files beside a scene, by their paths.
@@ -36,7 +36,7 @@ inline std::string lines_of(const Warnings& warnings) {
   return result;
 }
 
-/// Fails for each warning; `context` says of what it is.
+/// Fails for each warning; `context` names its source.
 inline void expect_none(const Warnings& warnings, std::string_view context = {}) {
   for (const std::string& message : warnings.messages()) ADD_FAILURE() << context << message;
 }

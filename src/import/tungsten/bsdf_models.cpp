@@ -185,7 +185,7 @@ desc::Node phong(const BsdfInputs& in) {
   const float exponent = std::max(in.object.number("exponent").value_or(64.F), 0.F);
   const float share = std::clamp(in.object.number("diffuse_ratio").value_or(0.2F), 0.F, 1.F);
   const desc::Value albedo = in.albedo();
-  // Facets whose reflections are as wide as cosⁿ: one that turns by an angle turns what it reflects
+  // Facets whose reflections are as wide as cosⁿ: one that turns by an angle turns its reflection
   // by twice as much, so their own exponent is 4n. Alpha of it: Walter et al. 2007, section 5.3.
   const float alpha = std::sqrt(2.F / (4.F * exponent + 2.F));
   return desc::material_node(

@@ -7,7 +7,7 @@
 
 namespace ajar::tungsten {
 
-/// What a bsdf is made of.
+/// Inputs of a bsdf.
 struct BsdfInputs {
   Context& context;
   const ObjectReader& object;
@@ -30,7 +30,7 @@ struct BsdfInputs {
   std::optional<desc::MaterialId> part(std::string_view name) const;
   /// `node` as a part of another.
   desc::MaterialId add(desc::Node node) const { return bsdfs.add(where(), std::move(node)); }
-  /// `node` with what it reflects multiplied by `tint`.
+  /// `node` with its reflection multiplied by `tint`.
   desc::Node tinted(desc::Node node, const desc::Value& tint) const;
   void warn(const WarningKind& kind, const std::string& message) const {
     context.warnings.add(kind, where(), message, *object.text("type"));
@@ -40,7 +40,7 @@ struct BsdfInputs {
 /// The material for a bsdf of this type; nothing if the type is unknown.
 std::optional<desc::Node> make_bsdf(const std::string& type, const BsdfInputs& in);
 
-/// "distribution", as our models name it; what they have not is the nearest, with a warning.
+/// "distribution", as our models name it; unsupported ones become the nearest, with a warning.
 std::string distribution_of(const BsdfInputs& in);
 /// "masking": Tungsten's facets hide each other by each side alone.
 inline const std::string kMasking = "separable";

@@ -126,7 +126,7 @@ Surface BsdfTable::read(const LocatedJson& json) {
     const std::optional<desc::MaterialId> base = in.part("base");
     const desc::MaterialId visible = base ? *base : white().material;
     surface = with_opacity(in, {visible}, in.opacity());
-    // What is opaque is its base, which others may have, too.
+    // Fully opaque: a copy of the base, which others may use, too.
     if (surface.material == visible) {
       surface.material = add(json.where(), material_at(visible).node);
     }

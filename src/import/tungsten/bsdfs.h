@@ -6,7 +6,7 @@
 
 namespace ajar::tungsten {
 
-/// What a bsdf says of the surface that has it.
+/// Surface properties of a bsdf.
 struct Surface {
   desc::MaterialId material = desc::kNone;
   desc::TextureId alpha = desc::kNone;  ///< the surface is cut away where this is 0
@@ -21,18 +21,18 @@ class BsdfTable {
  public:
   BsdfTable(Context& context, TextureReader& textures) : context_(context), textures_(textures) {}
 
-  /// Reads the list "bsdfs", which must outlive the table. Of two of the same name the first
-  /// counts, with a warning.
+  /// Reads the list "bsdfs", which must outlive the table. The first of a name counts, with a
+  /// warning for others.
   void define(const LocatedJson& list);
 
   /// The bsdf that `json` is or names. Unknown names and types are warnings: grey stands in.
   Surface resolve(const LocatedJson& json);
-  /// What primitives without a bsdf have.
+  /// Surface of primitives without a bsdf.
   Surface white();
 
   /// A material without a name, for `resolve`'s parts.
   desc::MaterialId add(const SourceLocation& where, desc::Node node);
-  /// The same material, without the bump that it may have.
+  /// Copy of the material without its bump.
   desc::MaterialId without_relief(desc::MaterialId id);
   /// One that reflects nothing.
   desc::MaterialId black();
@@ -40,7 +40,7 @@ class BsdfTable {
  private:
   struct Entry {
     const LocatedJson* json;
-    bool is_open = false;  ///< being read: what it refers to must not refer to it
+    bool is_open = false;  ///< being read: cycles of references are refused
     bool is_done = false;
     Surface surface{};
   };
@@ -55,7 +55,7 @@ class BsdfTable {
   std::map<std::string, Entry, std::less<>> named_;
   desc::MaterialId black_ = desc::kNone;
   desc::MaterialId white_ = desc::kNone;
-  int depth_ = 0;  ///< of references
+  int depth_ = 0;  ///< depth of references
 };
 
 }  // namespace ajar::tungsten

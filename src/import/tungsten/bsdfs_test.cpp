@@ -99,7 +99,7 @@ TEST(Bsdfs, MixturesReferToOthersOfBothKinds) {
   EXPECT_TRUE(part_of(scene, mix, "second").is("mirror"));
 }
 
-TEST(Bsdfs, WhatIsNotOpaqueIsCutAwayOrBlended) {
+TEST(Bsdfs, OpacityCutsOrBlends) {
   const desc::SceneDesc half =
       scene_with_bsdf("'type': 'transparency', 'alpha': 0.5, 'base': {'type': 'conductor'}");
   EXPECT_EQ(material_of(half).color("amount"), Vec3(0.5F));
@@ -154,7 +154,7 @@ TEST(Bsdfs, OnlyTheWholeHasABump) {
   }
 }
 
-TEST(Bsdfs, WhatIsOpaqueDoesNotChangeItsBase) {
+TEST(Bsdfs, FullOpacityLeavesTheBase) {
   const std::string bsdfs =
       "{'name': 'm', 'type': 'transparency', 'base': 'n', 'bump': 'b.png'},"
       "{'name': 'n', 'type': 'lambert'}";
@@ -184,7 +184,7 @@ TEST(Bsdfs, MediaOfPartsAreWarnings) {
   }
 }
 
-TEST(Bsdfs, OpacityOfPartsIsThere) {
+TEST(Bsdfs, OpacityOfPartsIsKept) {
   const desc::SceneDesc scene = scene_with_bsdf(
       "'type': 'mixed', 'bsdf0': {'type': 'transparency', 'alpha': 'a.png'}, 'bsdf1': {'type': "
       "'mirror'}");

@@ -4,8 +4,8 @@
 
 namespace ajar::tungsten {
 
-/// Reads the camera: where it is, what it sees, the film and its filter. `places` are those of the
-/// primitives that it may be focused on.
+/// Reads the camera: place, view, film and filter. `places` are those of the primitives that it may
+/// be focused on.
 void read_camera(Context& context, const LocatedJson& json, MediumTable& media,
                  const PrimitivePlaces& places);
 

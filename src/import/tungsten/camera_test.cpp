@@ -73,7 +73,7 @@ TEST(TungstenCamera, HasResolutionAndFilter) {
   EXPECT_EQ(filter("mitchell_netravali").radius, Vec2(2.F, 2.F));
 }
 
-TEST(TungstenCamera, WhatIsNotSupportedIsAWarning) {
+TEST(TungstenCamera, UnsupportedOptionsAreWarnings) {
   const auto with = [](const std::string& members) {
     return scene_text("", "{'type': 'quad'}", "{" + members + "}");
   };

@@ -1,15 +1,15 @@
 #pragma once
 
-/// What a smooth layer of a dielectric does to light on average over all directions from which it
-/// comes, each weighted by its cosine. With these means, what stands in for layers that our
-/// materials do not have reflects as much light in total.
+/// Mean optics of a smooth dielectric layer over all directions of incidence, each weighted by its
+/// cosine. Replacements for layers that our materials do not have reflect as much light in total by
+/// these means.
 namespace ajar::tungsten {
 
 /// Share that is reflected at the layer, seen from outside, `ior` > 0 being the layer's index of
 /// refraction relative to outside.
 double mean_reflectance(double ior);
 
-/// The same seen from within the layer.
+/// Reflectance from within the layer.
 double mean_internal_reflectance(double ior);
 
 /// Share that is left on one way through a layer of optical thickness `tau`.

@@ -30,7 +30,7 @@ TEST(CoatOptics, RoundTripsLoseWhatTheLayerReflectsTwice) {
   EXPECT_GT(mean_round_trip(1.5, 0.0), 1.0 - 2.0 * mean_reflectance(1.5));
 }
 
-TEST(CoatOptics, FindTheIndexOfAReflectance) {
+TEST(CoatOptics, InvertReflectanceToAnIndex) {
   for (const double ior : {1.1, 1.5, 3.0, 10.0}) {
     EXPECT_NEAR(ior_of_mean_reflectance(mean_reflectance(ior)), ior, 1e-6 * ior);
   }

@@ -22,7 +22,7 @@ struct Layer {
   Vec3 tau;  ///< optical thickness
 };
 
-/// How the surface of a layer is.
+/// Properties of the surface of a layer.
 struct Facets {
   desc::Value roughness = 0.F;
   std::string distribution = "ggx";
@@ -41,7 +41,7 @@ Layer layer_of(const BsdfInputs& in, float usual_ior) {
   return {static_cast<double>(ior), not_negative(in.context, in.where(), sigma * thickness)};
 }
 
-/// What `function` of a number is of each lane.
+/// Applies `function` of a number to each lane.
 template <typename Function>
 Vec3 per_lane(const Vec3& lanes, Function function) {
   return {static_cast<float>(function(static_cast<double>(lanes.x))),
@@ -49,8 +49,8 @@ Vec3 per_lane(const Vec3& lanes, Function function) {
           static_cast<float>(function(static_cast<double>(lanes.z)))};
 }
 
-/// Share of light that goes through the layer to a white diffuse base and out again, without what
-/// the layer turns back.
+/// Share of light that goes through the layer to a white diffuse base and out again, without
+/// internal reflection.
 double passed_once(const Layer& layer) {
   return (1.0 - mean_reflectance(layer.ior)) * (1.0 - mean_internal_reflectance(layer.ior));
 }

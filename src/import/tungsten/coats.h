@@ -1,7 +1,7 @@
 #pragma once
 #include "import/tungsten/bsdf_models.h"
 
-/// Bsdfs with a dielectric layer on top. On what is neither diffuse nor a metal a blend stands in,
+/// Bsdfs with a dielectric layer on top. Bases that are neither diffuse nor a metal become a blend,
 /// with a warning, that reflects as much light on average (coat_optics.h).
 namespace ajar::tungsten {
 

@@ -10,7 +10,7 @@
 
 namespace ajar::tungsten {
 
-/// What every part of the importer works with.
+/// State shared by all parts of the importer.
 struct Context {
   desc::SceneDesc& scene;
   Warnings& warnings;

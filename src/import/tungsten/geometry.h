@@ -11,8 +11,8 @@ struct Part {
   desc::Node node;
   Mat4 to_world;
   bool reverse_orientation = false;
-  /// A mirror has turned the winding over, and not the normals, which say what is outside for
-  /// glass; emission and media go by the winding.
+  /// A mirror has reversed the winding, and not the normals, which decide the outside of glass;
+  /// emission and media go by the winding.
   bool has_turned_winding = false;
   int bsdf = 0;       ///< index into the bsdfs of the primitive
   double area = 0.0;  ///< in the world; that of curves, which cannot shine, is not known

@@ -10,7 +10,7 @@ namespace ajar::tungsten {
 
 /// One copy of a primitive: turned and moved, never scaled.
 struct Placed {
-  int master = 0;  ///< index into the list of what is copied
+  int master = 0;  ///< index into the list of masters
   Mat4 to_world;
 };
 

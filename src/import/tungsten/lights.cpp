@@ -27,7 +27,7 @@ constexpr WarningKind kSunTemperature{Effect::Light,
 
 constexpr float kUsualCapAngle = 10.F;  // degrees
 constexpr float kRadiansPerDegree = kPi / 180.F;
-constexpr float kUsualTemperature = 5777.F;  // of the sun, in kelvin
+constexpr float kUsualTemperature = 5777.F;  // temperature of the sun, in kelvin
 
 struct Source {
   Context& context;

@@ -59,8 +59,8 @@ Vec3 coefficient(const ObjectReader& object, std::string_view name, float densit
   return value;
 }
 
-/// What a voxel medium needs, as messages say it. Its members are checked, though it is not
-/// read: OpenVDB's files need OpenVDB.
+/// Checks the grid of a voxel medium, for messages: it is not read, as OpenVDB's files need
+/// OpenVDB.
 std::string grid_of(const ObjectReader& medium) {
   const LocatedJson* json = medium.find("grid");
   if (json == nullptr) return "a grid";
@@ -88,7 +88,7 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
     return desc::kNone;
   }
   if (*type == "voxel") {
-    // Without its grid nobody knows how far it reaches; a camera may be in it.
+    // Without its grid its extent is unknown; a camera may be in it.
     context_.warnings.add(kNoGrid, json.where(),
                           "a medium of voxels needs " + grid_of(object) + ": it counts as empty",
                           shown(name));

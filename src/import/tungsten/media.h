@@ -12,7 +12,7 @@ class MediumTable {
  public:
   explicit MediumTable(Context& context) : context_(context) {}
 
-  /// Reads the list "media". Of two of the same name the first counts, with a warning.
+  /// Reads the list "media". The first of a name counts, with a warning for others.
   void define(const LocatedJson& list);
   /// The medium that `json` is or names. Unknown names and types are warnings: there is none then.
   desc::MediumId resolve(const LocatedJson& json);

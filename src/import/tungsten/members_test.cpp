@@ -34,7 +34,7 @@ std::vector<std::string> objects_of(const std::vector<std::string>& types,
   return objects;
 }
 
-TEST(TungstenMembers, ThatNoBsdfHasAreWarnings) {
+TEST(TungstenMembers, UnknownOnesOfBsdfsAreWarnings) {
   const std::string scene = "{'camera': {}, 'primitives': [{'type': 'quad', 'bsdf': $}]}";
   for (const std::string& object : objects_of(bsdf_types())) expect_one_more(scene, object);
   const std::string part =
@@ -43,7 +43,7 @@ TEST(TungstenMembers, ThatNoBsdfHasAreWarnings) {
   for (const std::string& object : objects_of(bsdf_types())) expect_one_more(part, object);
 }
 
-TEST(TungstenMembers, ThatNoPrimitiveHasAreWarnings) {
+TEST(TungstenMembers, UnknownOnesOfPrimitivesAreWarnings) {
   const std::vector<std::string> types = {
       "mesh",         "cube",      "sphere",          "quad",
       "disk",         "curves",    "point",           "skydome",
@@ -63,7 +63,7 @@ TEST(TungstenMembers, ThatNoPrimitiveHasAreWarnings) {
   expect_one_more(copies + "{'type': 'cube'}], 'instances': [$]}]}", "{'id': 0}");
 }
 
-TEST(TungstenMembers, ThatNoTextureHasAreWarnings) {
+TEST(TungstenMembers, UnknownOnesOfTexturesAreWarnings) {
   const std::vector<std::string> textures =
       objects_of({"constant", "bitmap", "checker", "disk", "blade", "ies", "wireframe"});
   for (const std::string& object : textures) {
@@ -75,7 +75,7 @@ TEST(TungstenMembers, ThatNoTextureHasAreWarnings) {
   }
 }
 
-TEST(TungstenMembers, ThatNoMediumHasAreWarnings) {
+TEST(TungstenMembers, UnknownOnesOfMediaAreWarnings) {
   const std::string scene = "{'camera': {'medium': $}}";
   for (const std::string& object :
        objects_of({"homogeneous", "atmosphere", "exponential", "voxel"})) {
@@ -96,7 +96,7 @@ TEST(TungstenMembers, ThatNoMediumHasAreWarnings) {
   }
 }
 
-TEST(TungstenMembers, ThatNoCameraOrSettingHasAreWarnings) {
+TEST(TungstenMembers, UnknownOnesOfCamerasAndSettingsAreWarnings) {
   for (const std::string& object :
        objects_of({"pinhole", "thinlens", "equirectangular", "cubemap"})) {
     expect_one_more("{'camera': $}", object);

@@ -8,7 +8,7 @@
 
 namespace ajar::tungsten {
 
-/// How a primitive wants its mesh.
+/// Options of a primitive for its mesh.
 struct MeshTreatment {
   bool smooth = false;             ///< interpolates normals
   bool recompute_normals = false;  ///< does not take those of the file; only if it is smooth

@@ -11,8 +11,8 @@ struct Metal {
   float k[3];
 };
 
-// Measured spectra as RGB, six digits; what falls below 0 there is 0. Most go by two names, with
-// and without "_palik", after the handbook that they are from.
+// Measured spectra as RGB, six digits; negative values are 0. Most go by two names, with and
+// without "_palik", after the handbook that they are from.
 constexpr std::array<Metal, 41> kMetals = {
     {{"a-C", {2.9441F, 2.22715F, 1.96817F}, {0.887433F, 0.799322F, 0.815286F}},
      {"Ag", {0.155265F, 0.116723F, 0.138381F}, {4.82834F, 3.12225F, 2.14695F}},

@@ -10,12 +10,12 @@
 
 namespace ajar::tungsten {
 
-/// Looks up the members of a JSON object, remembers the names that were asked for, and tells of
-/// members that nobody asked for. Where several names are given, the first that the object has
-/// counts: older files have other names. Values of the wrong type raise SceneError at their place.
+/// Looks up the members of a JSON object, and reports members that were never looked up. Where
+/// several names are given, the first that the object has counts: older files have other names.
+/// Values of the wrong type raise SceneError at their place.
 class ObjectReader {
  public:
-  /// `what` stands in messages, as in "a quad". Raises SceneError if `json` is no object.
+  /// `what` is its kind in messages, as in "a quad". Raises SceneError if `json` is no object.
   ObjectReader(const Context& context, const LocatedJson& json, std::string what);
 
   const Context& context() const { return context_; }

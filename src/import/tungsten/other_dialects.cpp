@@ -110,8 +110,7 @@ std::string foreign_members(const LocatedJson& root) {
   return names;
 }
 
-/// Whether something is a primitive of Tungsten: of one of its types, and not all that it has is
-/// by other names.
+/// True for a primitive of Tungsten: of one of its types, with at least one member of a known name.
 bool is_primitive(const LocatedJson& json) {
   constexpr std::array<std::string_view, 15> kWords = {
       "transform", "bsdf",       "emission",   "power",       "file",

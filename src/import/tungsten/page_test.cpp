@@ -5,7 +5,7 @@
 
 #include "import/tungsten/import_test_support.h"
 
-/// What docs/reference/formats-tungsten.md says of members, one case for each.
+/// Claims of docs/reference/formats-tungsten.md on members, one case for each.
 namespace ajar::tungsten {
 namespace {
 
@@ -42,7 +42,7 @@ std::string with_camera(const std::string& members) {
   return "{'camera': {" + members + "}, 'primitives': [{'type': 'quad'}]}";
 }
 
-TEST(TungstenPage, SaysWhatPrimitivesDo) {
+TEST(TungstenPage, DescribesPrimitives) {
   expect_as_the_page_says(
       {{with_primitive("'type': 'disk', 'cone_angle': 30"),
         ":1:31: \"cone_angle\" is not supported: the disk shines in all directions"},
@@ -68,7 +68,7 @@ TEST(TungstenPage, SaysWhatPrimitivesDo) {
         "instances between two files are not supported: the first file counts"}});
 }
 
-TEST(TungstenPage, SaysWhatSkiesAre) {
+TEST(TungstenPage, DescribesSkies) {
   const std::string sky = "'type': 'skydome', ";
   EXPECT_TRUE(contains(warnings_of(scene_text("", "{" + sky + "'temperature': 4000}")),
                        "test.json:3:16: \"temperature\" is not supported: the sky is that of our "
@@ -80,7 +80,7 @@ TEST(TungstenPage, SaysWhatSkiesAre) {
   }
 }
 
-TEST(TungstenPage, SaysWhatStandsInForBsdfs) {
+TEST(TungstenPage, DescribesReplacementsOfBsdfs) {
   expect_as_the_page_says(
       {{with_bsdf("'type': 'lambert', 'bump': 'a.png'"),
         "the height of \"bump\" depends on the number of its pixels: taken as it is"},
@@ -94,7 +94,7 @@ TEST(TungstenPage, SaysWhatStandsInForBsdfs) {
        {with_bsdf("'type': 'thinsheet', 'enable_interference': false"), ""}});
 }
 
-TEST(TungstenPage, SaysWhatMediaAre) {
+TEST(TungstenPage, DescribesMedia) {
   expect_as_the_page_says(
       {{with_medium("'type': 'atmosphere', 'density': 2, 'sigma_a': 1, 'radius': 3, "
                     "'falloff_scale': 2, 'center': [0, 0, 0]"),
@@ -113,7 +113,7 @@ TEST(TungstenPage, SaysWhatMediaAre) {
   EXPECT_EQ(import_with(text, warnings).media.at(0).sigma_a, Vec3(6.F));
 }
 
-TEST(TungstenPage, SaysWhatCamerasAre) {
+TEST(TungstenPage, DescribesCameras) {
   expect_as_the_page_says(
       {{with_camera("'reconstruction_filter': 'dirac'"),
         "the filter \"dirac\" is not supported: \"box\" stands in"},

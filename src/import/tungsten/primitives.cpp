@@ -54,7 +54,7 @@ const std::vector<std::string> kPrimitiveTypes = {
     "cylinder",     "instances", "infinite_sphere", "infinite_sphere_cap",
     "minecraft_map"};
 
-/// Whether it is a colour or texture of which Tungsten makes light.
+/// True for a colour or texture of which Tungsten makes light.
 bool is_bright(const LocatedJson& json) {
   if (json.is(Kind::Number) || json.is(Kind::Array)) {
     const Vec3 color = vector_of(json);
@@ -67,8 +67,8 @@ bool is_bright(const LocatedJson& json) {
   return value != nullptr && is_bright(*value);
 }
 
-/// Whether a material, or a part of it, has a texture. Each is looked at once: mixes may name the
-/// same parts in many ways.
+/// True if a material, or a part of it, has a texture. Visits each once: mixes may name the same
+/// parts in many ways.
 bool has_texture(const desc::SceneDesc& scene, desc::MaterialId whole) {
   std::set<desc::MaterialId> known = {whole};
   std::vector<desc::MaterialId> left = {whole};
@@ -185,7 +185,7 @@ std::vector<Part> PrimitiveReader::parts_of(const ObjectReader& object, const st
     }
     return {disk(transform)};
   }
-  // What is left of these are lights and copies within what is copied.
+  // Remaining types are lights and copies within copied primitives.
   if (std::find(kPrimitiveTypes.begin(), kPrimitiveTypes.end(), type) != kPrimitiveTypes.end()) {
     object.accept({"map_path", "resource_packs", "masters", "instances", "sample"});
     context_.warnings.add(kUnsupported, object.where(),
@@ -313,7 +313,7 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
     shape.emission = emission;
     set_media(object, surface, shape);
     if (part.has_turned_winding) {
-      // What is opaque is the same from both sides, so that the side that shines counts.
+      // Opaque surfaces look alike from both sides, so that the emissive side decides.
       if (emission) {
         shape.reverse_orientation = true;
       } else {
@@ -362,7 +362,7 @@ void PrimitiveReader::read_instances(const ObjectReader& object, const Mat4& tra
   const LocatedJson* list = object.find({"instances", "instancesA"});
   object.report_unknown();
   if (list == nullptr) return;
-  // As a copy is never scaled, so is what moves all of them.
+  // As a copy is never scaled, so is their common transform.
   const Mat4 turn = without_scale(transform, false);
   std::size_t lost = 0;
   for (const Placed& placed : read_placed(context_, *list)) {
@@ -398,7 +398,7 @@ void PrimitiveReader::read_all(const LocatedJson& list) {
     const LocatedJson* name = json.find("name");
     if (name != nullptr && name->is(Kind::String)) named_.try_emplace(name->text(), &json);
   }
-  // Those that may refer to the places of others come last.
+  // Primitives that may refer to the places of others come last.
   const auto refers = [](const LocatedJson& json) {
     const LocatedJson* type = json.find("type");
     return type != nullptr && type->is(Kind::String) && type->text() == "infinite_sphere_cap";

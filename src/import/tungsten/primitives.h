@@ -12,7 +12,7 @@
 
 namespace ajar::tungsten {
 
-/// Whether primitives have such a "type".
+/// True if primitives have such a "type".
 bool is_primitive_type(std::string_view name);
 
 /// Reads the primitives of a scene: its shapes and lights.
@@ -24,7 +24,7 @@ class PrimitiveReader {
   /// Reads the list "primitives".
   void read_all(const LocatedJson& list);
 
-  /// Whether Tungsten would find any light in the list, one that is left out here, too.
+  /// True if Tungsten would find any light in the list, one that is left out here, too.
   bool has_light() const { return has_light_; }
 
   /// Where the named primitives are.

@@ -75,7 +75,7 @@ void read_integrator(Context& context, const LocatedJson& json) {
     context.warnings.add(kPartOfLight, json.where(),
                          "\"" + std::string(name) + "\" cannot be false: all light is rendered");
   }
-  // What only the methods themselves know.
+  // Parameters of single methods.
   object.accept({"enable_light_sampling",
                  "enable_volume_light_sampling",
                  "enable_consistency_checks",

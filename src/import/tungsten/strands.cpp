@@ -83,7 +83,7 @@ FiberAttribute read_attribute(StrandCursor& cursor, std::uint64_t size) {
   return attribute;
 }
 
-/// The last value stands for those that are missing.
+/// Missing values repeat the last one.
 template <typename Value>
 void extend(std::vector<Value>& values, std::size_t count) {
   if (!values.empty()) values.resize(count, values.back());
@@ -150,7 +150,7 @@ Strands read_hair(std::string_view bytes, const std::string& name) {
   Strands strands;
   std::vector<std::uint16_t> segments;
   if ((has & kSegments) != 0) segments = cursor.array<std::uint16_t>(curve_count);
-  // Before memory is taken for what only the header promises.
+  // Checked before memory is allocated for claims of the header.
   strands.nodes = cursor.array<Vec3>(node_count);
   if ((has & kSegments) != 0) {
     for (const std::uint16_t count : segments) strands.counts.push_back(count + 1U);

@@ -71,7 +71,7 @@ TEST(Strands, OfFiberFilesAreQuadraticSplines) {
   EXPECT_EQ(strands.radii, std::vector<float>(7, 0.25F)) << "the last value goes on";
   const desc::Curves curves = curves_of(strands, {});
   ASSERT_EQ(curves.control_points.size(), 12U) << "two segments and one";
-  // They begin and end in the middle between two nodes, and have the speed of the polygon.
+  // Curves begin and end in the middle between two nodes, and have the speed of the polygon.
   for (std::size_t i = 0; i < 4; ++i) {
     const auto t = static_cast<float>(i) / 3.F;
     EXPECT_LT(length(curves.control_points[i] - Vec3(1.F + 2.F * t, 0, 0)), 1e-6F);
@@ -137,7 +137,7 @@ TEST(Strands, OfPrimitivesAreTubesInTheirPlace) {
   EXPECT_EQ(scene.shapes[1].node.text("type"), "flat");
 }
 
-TEST(Strands, WhatIsNotSupportedOfPrimitivesIsAWarning) {
+TEST(Strands, UnsupportedOptionsOfPrimitivesAreWarnings) {
   const Files files = {{"a.fiber", two_curves()}, {"b.fiber", "short"}};
   const std::string warnings = warnings_of(
       scene_text("",

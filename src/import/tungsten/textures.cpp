@@ -19,7 +19,7 @@ constexpr WarningKind kNegative{Effect::Surface, "colours are negative: 0 stands
 
 using Kind = LocatedJson::Kind;
 
-/// What Tungsten reads of each type of texture, to know mistakes from it.
+/// Members that Tungsten reads of each type of texture, to tell mistakes from them.
 struct TextureType {
   std::string_view name;
   std::vector<std::string_view> members;
@@ -193,7 +193,7 @@ desc::Value TextureReader::number(const LocatedJson& json, NumberRole role) {
     }
     return kGrey.x;
   }
-  // Of colours that are no image Tungsten takes the first number.
+  // Tungsten takes the first number of colours that are no image.
   desc::Value value = color(json);
   if (const Vec3* constant = std::get_if<Vec3>(&value)) return constant->x;
   const desc::TextureId id = std::get<desc::TextureRef>(value).id;

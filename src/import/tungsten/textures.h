@@ -14,7 +14,7 @@ struct Bitmap {
   bool clamp = false;
   float scale = 1.F;
 
-  /// What decodes its integers as colours.
+  /// Exponent that decodes its integers as colours.
   float decoding_exponent() const { return gamma_correct ? 2.2F : 1.F; }
 };
 
@@ -26,10 +26,10 @@ class TextureReader {
 
   /// A colour (Vec3) or a texture (TextureRef).
   desc::Value color(const LocatedJson& json);
-  /// A number (float) or a texture (TextureRef). Of an image, the mean of the colours as they are
-  /// stored: Tungsten decodes only what it reads as a colour.
+  /// A number (float) or a texture (TextureRef). An image's number is the mean of the colours as
+  /// they are stored: Tungsten decodes colours only.
   desc::Value number(const LocatedJson& json) { return number(json, NumberRole::Number); }
-  /// The same, but of an image with an alpha channel that; PNG and JPEG files always have one.
+  /// Opacity: the alpha channel of an image that has one; PNG and JPEG files always do.
   desc::Value opacity(const LocatedJson& json) { return number(json, NumberRole::Opacity); }
   /// The member of an object as one of these; `fallback` without one.
   desc::Value color(const ObjectReader& object, std::initializer_list<std::string_view> names,
@@ -42,7 +42,7 @@ class TextureReader {
 
   /// A texture times a colour; a colour times a colour.
   desc::Value product(const desc::Value& color, const Vec3& factor);
-  /// The same of numbers.
+  /// Product of numbers.
   desc::Value product(const desc::Value& number, float factor);
 
  private:
@@ -57,7 +57,7 @@ class TextureReader {
   Context& context_;
 };
 
-/// A colour that is the same everywhere, or what stands for the mean of a texture.
+/// A constant colour, or `mean` in place of a texture.
 Vec3 constant_or(const desc::Value& color, const Vec3& mean);
 
 /// Warns of members that a texture of a known type does not have, without making one.

@@ -19,7 +19,7 @@ Vec3d across(const Vec3d& v) {
       v.cross(std::abs(v.x) > std::abs(v.y) ? Vec3d(0.0, 1.0, 0.0) : Vec3d(1.0, 0.0, 0.0)));
 }
 
-/// Below this squared length what is left of an axis has no direction.
+/// Below this squared length the rest of an axis has no direction.
 constexpr double kNoDirection = 1e-5;
 
 /// Makes the axes perpendicular: the first keeps its direction, the second its side.

@@ -13,7 +13,7 @@ Mat4 transform_from_members(const ObjectReader& object);
 /// The member "transform" of an object; the identity without one.
 Mat4 transform_of(const Context& context, const ObjectReader& object);
 
-/// What a transform does to x, y and z, and to the origin.
+/// Images of the unit vectors, and of the origin.
 Vec3d axis_of(const Mat4& transform, int axis);
 Vec3d origin_of(const Mat4& transform);
 Mat4 from_axes(const Vec3d& x, const Vec3d& y, const Vec3d& z, const Vec3d& origin);
@@ -24,7 +24,7 @@ Mat4 without_scale(const Mat4& transform, bool with_origin);
 /// Lengths of the images of x, y and z.
 Vec3d scale_of(const Mat4& transform);
 
-/// Whether it has an inverse, as the renderer needs it.
+/// True if it has an inverse, as the renderer needs it.
 bool is_invertible(const Mat4& transform);
 
 }  // namespace ajar::tungsten

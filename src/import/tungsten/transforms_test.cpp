@@ -68,7 +68,7 @@ TEST(Transforms, WithoutScaleAreFrames) {
   EXPECT_TRUE(is_invertible(transform_in("{'scale': 1e-10}")));
 }
 
-TEST(Transforms, RefuseWhatIsNone) {
+TEST(Transforms, RefuseInvalidOnes) {
   EXPECT_THROW(transform_in("[1, 2, 3]"), SceneError);
   EXPECT_THROW(transform_in("7"), SceneError);
   EXPECT_THROW(transform_in("{'position': [1, 2]}"), SceneError);

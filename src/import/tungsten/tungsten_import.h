@@ -17,7 +17,7 @@ namespace ajar {
 desc::SceneDesc import_tungsten(const std::string& path, Warnings& warnings,
                                 const FileProvider& provider = {});
 
-/// The same for text in memory. `name` stands in messages; other files are looked up relative to
+/// Reads text in memory. `name` stands in messages; other files are looked up relative to
 /// `base_folder`, at `provider` first, then on the disk.
 desc::SceneDesc import_tungsten_text(std::string_view text, const std::string& name,
                                      const std::string& base_folder, Warnings& warnings,

@@ -24,7 +24,7 @@ std::string quoted(std::string text) {
   return text;
 }
 
-TEST(TungstenImport, RefusesWhatIsNoSceneOfTungsten) {
+TEST(TungstenImport, RefusesOtherFiles) {
   for (const char* text : {"{}", "[]", "7", R"({"integrator": "pt", "seconds": 4})"}) {
     EXPECT_TRUE(contains(error_of(text), "test.json:1:1: this is no scene of Tungsten")) << text;
   }
@@ -109,7 +109,7 @@ TEST(TungstenImport, UnknownMembersAreWarningsWithTheNearestName) {
       << warnings;
 }
 
-TEST(TungstenImport, AsksForWhatTheFileSays) {
+TEST(TungstenImport, ReadsRenderSettings) {
   Warnings warnings;
   const desc::SceneDesc scene = import_with(
       quoted("{'primitives': [{'type': 'quad'}], 'camera': {}, 'integrator': {'type': "
@@ -147,7 +147,7 @@ TEST(TungstenImport, MediaWithoutACounterpartAreWarnings) {
   EXPECT_TRUE(contains(voxels, "needs the grid \"a.vdb\", which is not read: it counts as empty"))
       << voxels;
   EXPECT_TRUE(contains(voxels, "did you mean \"grid_name\"")) << voxels;
-  // What Tungsten reads of a grid is known, though it has no effect.
+  // Grid members of Tungsten are known, though they have no effect.
   EXPECT_FALSE(contains(
       warnings_of(with("'type': 'voxel', 'grid': {'density_name': 'd', 'normalize_size': true}")),
       "density_name"));
@@ -185,7 +185,7 @@ class OnDisk : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(OnDisk, IsToldByItsExtensionAndListsItsFiles) {
+TEST_F(OnDisk, IsRecognisedByItsExtensionAndListsItsFiles) {
   const std::string path =
       write("room.json", scene_text("", "{'type': 'mesh', 'file': 'sub/m.wo3'}"));
   Warnings warnings;

@@ -38,7 +38,7 @@ TEST(Wo3, RefusesFilesThatEndTooEarlyAtAnyByte) {
   EXPECT_EQ(wo3_error_in(whole), "no error");
 }
 
-TEST(Wo3, RefusesCountsThatNoFileCanHold) {
+TEST(Wo3, RefusesImpossibleCounts) {
   std::string bytes = wo3_of_two_materials();
   for (std::size_t i = 0; i < 8; ++i) bytes[i] = '\xff';
   EXPECT_NE(wo3_error_in(bytes).find("ends before its 18446744073709551615 vertices"),

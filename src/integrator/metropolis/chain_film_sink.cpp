@@ -14,7 +14,7 @@ void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::stri
 
 ChainFilmSink::ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
                              const PathTarget* target, Counters& counters, VisitSink* visits,
-                             const PathPart* part)
+                             const ChainWeight* part)
     : film_(film),
       light_{film.layer("direct"), film.layer("indirect")},
       density_(film.layer(kDensityLayer)),

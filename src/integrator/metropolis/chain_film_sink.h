@@ -16,7 +16,7 @@ inline const std::string kAcceptanceLayer = "acceptance";
 inline bool is_chain_layer(const std::string& name) {
   return name == kDensityLayer || name == kAcceptanceLayer;
 }
-/// Those of them that are asked for.
+/// Adds the requested ones.
 void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::string>& aovs);
 
 /// Learns where chains are. Thread-safe.
@@ -34,7 +34,7 @@ class ChainFilmSink final : public DepositSink {
   /// `target` is null for states that are of no technique.
   ChainFilmSink(Film& film, int replicate, const ImportanceMap& importance,
                 const PathTarget* target, Counters& counters, VisitSink* visits = nullptr,
-                const PathPart* part = nullptr);
+                const ChainWeight* part = nullptr);
 
   /// `scale` multiplies what is deposited; what is `proposed` is counted in `by_technique`.
   void begin(double scale, std::vector<MoveCount>* by_technique) {
@@ -54,7 +54,7 @@ class ChainFilmSink final : public DepositSink {
   const PathTarget* target_;
   Counters& counters_;
   VisitSink* visits_;
-  const PathPart* part_;
+  const ChainWeight* part_;
   double scale_ = 1.0;
   std::vector<MoveCount>* by_technique_ = nullptr;
 };

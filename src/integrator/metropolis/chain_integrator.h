@@ -16,6 +16,7 @@
 #include "integrator/metropolis/chain_method.h"
 #include "integrator/metropolis/chain_report.h"
 #include "integrator/metropolis/population.h"
+#include "integrator/metropolis/visit_maps.h"
 
 namespace ajar {
 
@@ -53,6 +54,7 @@ class ChainIntegrator final : public ChainMethod {
   void skip_preparation(Shortage of) override;
 
   std::uint64_t items_in_round() const override;
+  void begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) override;
   void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
                 Counters& counters) override;
   MethodReport report() const override;
@@ -80,6 +82,9 @@ class ChainIntegrator final : public ChainMethod {
   double brightness() const override;
   bool has_chains() const override { return !items_.empty(); }
   std::uint64_t bootstrap_samples() const;
+  ChainProblem problem(std::size_t group) const {
+    return {scene(), groups()[group], view(), order().part};
+  }
 
   std::size_t chains_;
   Space space_;
@@ -87,6 +92,7 @@ class ChainIntegrator final : public ChainMethod {
   std::vector<SampleBlock> blocks_;      ///< of the bootstrap
   std::vector<Item> items_;              ///< one per chain
   std::vector<std::size_t> chains_per_;  ///< replicate
+  std::uint64_t doubled_at_ = 0;         ///< samples per pixel
 };
 
 // ---------------------------------------------------------------- bootstrap
@@ -106,8 +112,8 @@ PreparationRound ChainIntegrator<Space>::begin_preparation(int round) {
 template <typename Space>
 void ChainIntegrator<Space>::prepare_item(int /*round*/, std::uint64_t item, Counters& counters) {
   MeasuredPopulation& population = populations_[blocks_[item].owner];
-  sample_bootstrap(population, blocks_[item],
-                   *make_seed_target(scene(), groups()[population.group], view()), counters);
+  sample_bootstrap(population, blocks_[item], *make_seed_target(problem(population.group)),
+                   counters);
 }
 
 template <typename Space>
@@ -120,8 +126,8 @@ void ChainIntegrator<Space>::seed() {
       populations_, groups(), std::max<std::size_t>(1, chains_ / replicates),
       [](const MeasuredPopulation& population) { return population.b.mean(); },
       [this](MeasuredPopulation& population, std::size_t chains) {
-        population.chains = space_.seed(scene(), groups()[population.group], view(),
-                                        population.seed, population.weights, chains);
+        population.chains =
+            space_.seed(problem(population.group), population.seed, population.weights, chains);
       });
   chains_per_.assign(replicates, 0);
   for (std::size_t p = 0; p < populations_.size(); ++p) {
@@ -130,6 +136,8 @@ void ChainIntegrator<Space>::seed() {
     chains_per_[static_cast<std::size_t>(populations_[p].replicate)] += chains;
   }
   if (items_.empty() && !groups().empty()) add_concern(no_seeds(bootstrap_samples()));
+  const double b = brightness();
+  space_.begin(view(), settings().replicates, b > 0.0 && std::isfinite(b) ? b : 1.0);
 }
 
 template <typename Space>
@@ -154,6 +162,18 @@ std::uint64_t ChainIntegrator<Space>::steps(std::uint64_t sample, std::size_t ch
   return std::max<std::uint64_t>(1, upto(sample + 1) - upto(sample));
 }
 
+/// Maps of visits change at counts fixed in advance, which passes do not cross (`PassSchedule`):
+/// where passes end otherwise is up to the clock.
+template <typename Space>
+void ChainIntegrator<Space>::begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/,
+                                        Film& /*film*/) {
+  const std::uint64_t milestone =
+      last_doubling(first_sample, static_cast<std::uint64_t>(settings().replicates));
+  if (space_.maps() == nullptr || milestone <= doubled_at_) return;
+  doubled_at_ = milestone;
+  space_.maps()->end_epoch(static_cast<double>(milestone));
+}
+
 /// Each mutation per pixel is deposited by itself, so that the film's bits do not depend on how
 /// many a pass has.
 template <typename Space>
@@ -165,8 +185,10 @@ void ChainIntegrator<Space>::run_item(std::uint64_t item, std::uint64_t first_sa
   }
   MeasuredPopulation& population = populations_[items_[item].population];
   Member& member = population.chains[items_[item].chain];
-  typename Space::Walker walker(space_, scene(), groups()[population.group], view());
-  ChainFilmSink sink(film, population.replicate, view().importance, walker.target(), counters);
+  typename Space::Walker walker(space_, problem(population.group), population.replicate);
+  VisitMaps* const maps = space_.maps();
+  ChainFilmSink sink(film, population.replicate, view().importance, walker.target(), counters,
+                     maps != nullptr && maps->gathers() ? maps : nullptr, order().part);
   const double b = population.b.mean();
   const auto chains = static_cast<double>(population.chains.size());
   ChainStatistics statistics;
@@ -174,7 +196,8 @@ void ChainIntegrator<Space>::run_item(std::uint64_t item, std::uint64_t first_sa
   for (std::uint64_t sample = first_sample; sample < first_sample + samples; ++sample) {
     const std::uint64_t n =
         steps(sample, chains_per_[static_cast<std::size_t>(population.replicate)]);
-    sink.begin(b * view().area() / (static_cast<double>(n) * chains) / settings().replicates,
+    sink.begin(member.weight * b * view().area() / (static_cast<double>(n) * chains) /
+                   settings().replicates,
                member.record.by_technique.empty() ? nullptr : &member.record.by_technique);
     const ChainStatistics of_sample = walker.go_on(member, n, sink, b);
     member.record.statistics += of_sample;
@@ -223,6 +246,10 @@ void ChainIntegrator<Space>::save_state(OutputArchive& archive) const {
   for (const Item& item : items_) {
     space_.save(archive, scene(), populations_[item.population].chains[item.chain]);
   }
+  if (space_.maps() != nullptr) {
+    archive(doubled_at_);
+    space_.maps()->save_state(archive);
+  }
 }
 
 template <typename Space>
@@ -243,9 +270,13 @@ void ChainIntegrator<Space>::load_state(InputArchive& archive, std::uint64_t sam
   }
   parallel_for(items_.size(), [&](std::size_t i) {
     const MeasuredPopulation& population = populations_[items_[i].population];
-    space_.check_state(scene(), groups()[population.group], view(),
-                       population.chains[items_[i].chain]);
+    space_.check_state(problem(population.group), population.chains[items_[i].chain]);
   });
+  if (space_.maps() != nullptr) {
+    archive(doubled_at_);
+    if (doubled_at_ > samples) throw std::runtime_error("corrupt checkpoint: wrong pass");
+    space_.maps()->load_state(archive);
+  }
 }
 
 template <typename Space>
@@ -254,6 +285,7 @@ void ChainIntegrator<Space>::give_news(OutputArchive& archive, const WorkShare& 
     if (!share.has(i)) continue;
     space_.save(archive, scene(), populations_[items_[i].population].chains[items_[i].chain]);
   }
+  if (space_.maps() != nullptr) space_.maps()->give_news(archive);
 }
 
 template <typename Space>
@@ -262,11 +294,12 @@ void ChainIntegrator<Space>::take_news(InputArchive& archive, const WorkShare& s
     if (!share.has(i)) continue;
     space_.load(archive, scene(), populations_[items_[i].population].chains[items_[i].chain]);
   }
+  if (space_.maps() != nullptr) space_.maps()->take_news(archive);
 }
 
 template <typename Space>
 std::uint64_t ChainIntegrator<Space>::memory_bytes() const {
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = space_.maps() != nullptr ? space_.maps()->memory_bytes() : 0;
   for (const MeasuredPopulation& population : populations_) {
     for (const Member& member : population.chains) bytes += member.memory_bytes();
   }

@@ -10,13 +10,14 @@
 
 namespace ajar {
 
-/// What published methods whose chains make all light agree on.
+/// Common settings of published methods whose chains make all light.
 struct ChainOrder {
-  PathSamplerSettings sampler;  ///< of the bootstrap
+  PathSamplerSettings sampler;  ///< sampler of the bootstrap
   std::vector<PathGroup> groups;
   std::uint64_t bootstrap = 0;          ///< samples, over all groups and replicates
   Parameters monte_carlo;               ///< of what renders if there was no time for a bootstrap
   std::vector<std::string> notes = {};  ///< what the user may like to know of the chains
+  const ChainWeight* part = nullptr;    ///< of the light, if chains do not make all; outlives them
 };
 
 /// All but the groups, by the parameter `bootstrap` and those of the family of path sampling.
@@ -26,7 +27,7 @@ ChainOrder chain_order(const RenderSettings& settings, const Parameters& paramet
 /// The parameter of that name.
 ParameterSpec bootstrap_parameter();
 
-/// What they have in common, beside their chains: the film, and what they say.
+/// Common base of them, beside their chains: film and messages.
 class ChainMethod : public Integrator {
  public:
   ChainMethod(const Scene& scene, const RenderSettings& settings, ChainOrder order);
@@ -52,7 +53,7 @@ class ChainMethod : public Integrator {
   /// In camera samples per pixel, if a path of the bootstrap is as dear as one.
   double bootstrap_effort() const { return static_cast<double>(order_.bootstrap) / view_.pixels; }
   void add_concern(Warning concern) { concerns_.push_back(std::move(concern)); }
-  /// What renders if there was no time for a bootstrap; else null.
+  /// Integrator in use if there was no time for a bootstrap; else null.
   Integrator* unprepared() const { return unprepared_.get(); }
 
  private:

@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "core/parameters.h"
+#include "integrator/metropolis/member_chain.h"
+#include "mcmc/primary/plane_moves.h"
 #include "mcmc/primary/primary_kernel.h"
 
 namespace ajar {
 
-/// How chains in primary sample space move, as users say it: the parameters of the published
-/// methods (Kelemen et al. 2002; Hachisuka et al. 2014), and what comes of them.
+/// Moves of chains in primary sample space: the parameters of the published methods (Kelemen et al.
+/// 2002; Hachisuka et al. 2014), and their settings.
 struct ChainMoves {
-  /// Of the parameters of these names.
+  /// Defaults of the parameters of these names.
   struct Defaults {
     std::string mutation = "kelemen";
     std::string large_step = "0.3";
@@ -26,8 +28,10 @@ struct ChainMoves {
   ChainMoves(const Parameters& parameters, std::string_view mutation_name);
 
   PrimarySettings settings;
-  std::unique_ptr<Mutation> mutation;
+  std::shared_ptr<const Mutation> mutation;
   bool mis_large_steps;
+  PlaneRule plane{};  ///< of steps that follow the image plane
+  SeedRule seeds{};
 };
 
 }  // namespace ajar

@@ -9,7 +9,7 @@
 
 namespace ajar {
 
-/// That none of so many bootstrap samples found light to start chains from.
+/// Warning that none of so many bootstrap samples found light to start chains from.
 Warning no_seeds(std::uint64_t samples);
 
 /// Adds up how chains fared, group by group.
@@ -20,10 +20,10 @@ class ChainReporter {
    public:
     /// `moves`: of the kernel that the chains run with.
     OfGroup(const PathGroup& group, std::span<const Move> moves) : group_(&group), moves_(moves) {}
-    /// What is known of b in one of so many replicates.
+    /// Adds the estimate of b in one of so many replicates.
     void add_b(double b, double standard_error, int replicates);
     void add_chain(const ChainRecord& record);
-    /// Of chains that are no more.
+    /// Adds a finished chain.
     void add_retired(const ChainRecord& record) { record_.add(record); }
     /// Samples that stand for mutations.
     void add_plain(std::uint64_t samples) { plain_ += samples; }

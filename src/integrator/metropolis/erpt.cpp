@@ -69,6 +69,7 @@ class EnergyRedistribution final : public ChainMethod {
     }
   };
 
+  ChainProblem problem() const { return {scene(), groups().front(), view(), order().part}; }
   double brightness() const override { return mean_; }
   bool has_chains() const override { return mean_ > 0.0; }
   void make_items();
@@ -84,7 +85,7 @@ class EnergyRedistribution final : public ChainMethod {
   std::uint64_t length_;
   double most_chains_;
   Space space_;
-  std::vector<Measured> populations_;  ///< of the bootstrap: one per replicate
+  std::vector<Measured> populations_;  ///< populations of the bootstrap: one per replicate
   std::vector<SampleBlock> blocks_;
   std::vector<Moments> b_;  ///< by replicate
   double mean_ = 0.0;       ///< over all of them: e_d
@@ -117,8 +118,7 @@ template <typename Space>
 void EnergyRedistribution<Space>::prepare_item(int /*round*/, std::uint64_t item,
                                                Counters& counters) {
   Measured& population = populations_[blocks_[item].owner];
-  sample_bootstrap(population, blocks_[item],
-                   *make_seed_target(scene(), groups()[population.group], view()), counters);
+  sample_bootstrap(population, blocks_[item], *make_seed_target(problem()), counters);
 }
 
 template <typename Space>
@@ -175,10 +175,10 @@ void EnergyRedistribution<Space>::run_item(std::uint64_t item, std::uint64_t fir
     return;
   }
   Item& own = items_[item];
-  const PathGroup& group = groups().front();
-  const auto target = make_seed_target(scene(), group, view());
-  typename Space::Walker walker(space_, scene(), group, view());
-  ChainFilmSink sink(film, own.replicate, view().importance, walker.target(), counters);
+  const auto target = make_seed_target(problem());
+  typename Space::Walker walker(space_, problem(), own.replicate);
+  ChainFilmSink sink(film, own.replicate, view().importance, walker.target(), counters, nullptr,
+                     order().part);
   SplatBuffer splats;
   ChainStatistics statistics;
   for (std::uint64_t sample = first_sample; sample < first_sample + samples; ++sample) {
@@ -197,7 +197,7 @@ void EnergyRedistribution<Space>::run_item(std::uint64_t item, std::uint64_t fir
           start.weight, to_unit_double(hash_numbers(start.seed, RandomUse::Seeds, start.index)));
       sink.begin(scale * chains.energy, nullptr);
       for (std::uint64_t number = 0; number < chains.chains; ++number) {
-        auto member = space_.start(scene(), group, view(), start, number);
+        auto member = space_.start(problem(), start, number);
         if (!member) continue;
         walker.start(*member);
         of_sample += walker.go_on(*member, length_, sink, mean_);
@@ -271,7 +271,7 @@ void EnergyRedistribution<Space>::take_news(InputArchive& archive, const WorkSha
 /// Chains as short as that need no fresh paths.
 const ChainMoves::Defaults kMoves{.large_step = "0.001"};
 
-/// Of chains of one kind.
+/// A parameter of chains of one kind.
 ParameterSpec only_with(const char* chain, ParameterSpec spec) {
   spec.depends_on = "chain";
   spec.matters_for = {chain};
@@ -322,9 +322,11 @@ std::vector<ParameterSpec> erpt_parameters() {
 }
 
 std::unique_ptr<Integrator> make_erpt_integrator(const Scene& scene, const RenderSettings& settings,
-                                                 const Parameters& parameters) {
+                                                 const Parameters& parameters,
+                                                 const ChainWeight* part) {
   refuse_meaningless(erpt_parameters(), parameters);
   ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
+  order.part = part;
   const bool of_paths = parameters.get_text("chain") == "mlt";
   order.groups = make_path_groups(scene, of_paths ? ChainKind::SpreadPath : ChainKind::WholePath,
                                   order.sampler, parameters.get_int("roulette-start"));
@@ -335,8 +337,8 @@ std::unique_ptr<Integrator> make_erpt_integrator(const Scene& scene, const Rende
   const Parameters moves(
       ChainMoves::parameters(kMoves),
       {{"mutation", parameters.get_text("mutation")}, {"sigma", parameters.get_text("sigma")}});
-  return std::make_unique<EnergyRedistribution<PrimarySpace>>(scene, settings, std::move(order),
-                                                              parameters, PrimarySpace(moves));
+  return std::make_unique<EnergyRedistribution<PrimarySpace>>(
+      scene, settings, std::move(order), parameters, PrimarySpace(ChainMoves(moves)));
 }
 
 }  // namespace ajar

@@ -13,7 +13,7 @@
 
 namespace ajar {
 
-/// What chains have done.
+/// Record of chains.
 struct ChainRecord {
   ChainStatistics statistics;
   std::vector<MoveCount> by_technique;  ///< numbered as in the group's choice
@@ -32,13 +32,13 @@ struct ChainRecord {
 struct MemberChain {
   PrimaryChain chain;
   ChainRecord record;
-  double weight = 1.0;  ///< of what it deposits, relative to other chains (`seed_weight`)
+  double weight = 1.0;  ///< factor of its deposits, relative to other chains (`seed_weight`)
 
   /// Number `number`, from 1, of further chains that start where this one is, with randomness of
   /// its own. A seed that is chosen m times starts m chains. One chain with m times the steps would
   /// get farther, but light that seeds stand for in lots would leave its place earlier than other
   /// light comes there, and the picture would be biased.
-  MemberChain twin(std::uint64_t number) const {
+  MemberChain clone(std::uint64_t number) const {
     MemberChain other{chain, {}, weight};
     other.record.by_technique.resize(record.by_technique.size());
     other.chain.seed = hash_numbers(chain.seed, chain.step, number);
@@ -58,7 +58,7 @@ struct MemberChain {
 void sample_bootstrap(PathTarget& target, std::uint64_t seed, std::uint64_t first,
                       std::uint64_t last, std::span<double> weights);
 
-/// How seeds are chosen (see `filter_weights`).
+/// Selection of seeds (see `filter_weights`).
 struct SeedRule {
   SeedFilter filter = SeedFilter::None;
   double spread = 3.0;  ///< standard deviations

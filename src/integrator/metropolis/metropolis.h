@@ -12,9 +12,11 @@ namespace ajar {
 /// Dachsbacher 2014), the baseline that papers compare with. Markov chains make all light.
 std::vector<ParameterSpec> metropolis_parameters(ChainKind kind);
 
+/// `part` of the light of long paths is the chains' if it is not null, and must outlive them.
 /// Raises UsageError for parameters that cannot be used.
 std::unique_ptr<Integrator> make_metropolis_integrator(ChainKind kind, const Scene& scene,
                                                        const RenderSettings& settings,
-                                                       const Parameters& parameters);
+                                                       const Parameters& parameters,
+                                                       const ChainWeight* part = nullptr);
 
 }  // namespace ajar

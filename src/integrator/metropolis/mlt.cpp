@@ -18,7 +18,8 @@ std::vector<ParameterSpec> mlt_parameters() {
 }
 
 std::unique_ptr<Integrator> make_mlt_integrator(const Scene& scene, const RenderSettings& settings,
-                                                const Parameters& parameters) {
+                                                const Parameters& parameters,
+                                                const ChainWeight* part) {
   ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
   order.groups = make_path_groups(scene, ChainKind::ExplicitPath, order.sampler,
                                   parameters.get_int("roulette-start"));
@@ -28,6 +29,7 @@ std::unique_ptr<Integrator> make_mlt_integrator(const Scene& scene, const Render
         "clear glass that seeds have found: how much light each of these has is what the bootstrap "
         "says, however long chains run"};
   }
+  order.part = part;
   const auto chains = static_cast<std::size_t>(parameters.get_int("chains"));
   return std::make_unique<ChainIntegrator<PathSpace>>(scene, settings, std::move(order), chains,
                                                       PathSpace(parameters));

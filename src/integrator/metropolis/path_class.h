@@ -2,7 +2,7 @@
 
 namespace ajar {
 
-/// Which paths chains are over. What a path is like decides, not how it was found.
+/// Paths of a chain, by their own properties and not by the technique that found them.
 enum class PathClass {
   All,
   Connectible,  ///< with an edge that a connection could make: neither end of it is specular

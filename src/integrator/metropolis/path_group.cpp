@@ -74,7 +74,7 @@ ChainView view_of(const Scene& scene, const RenderSettings& settings) {
 }
 
 std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
-                                             const ChainView& view, const PathPart* part) {
+                                             const ChainView& view, const ChainWeight* part) {
   if (group.depth == 0) {
     return std::make_unique<WholePathTarget>(scene, group.sampler, view, part, group.paths);
   }
@@ -83,7 +83,7 @@ std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup
 }
 
 std::unique_ptr<PathTarget> make_seed_target(const Scene& scene, const PathGroup& group,
-                                             const ChainView& view, const PathPart* part) {
+                                             const ChainView& view, const ChainWeight* part) {
   if (!is_explicit(group.kind)) return make_path_target(scene, group, view, part);
   return std::make_unique<PathSeeds>(scene, group, view, part);
 }

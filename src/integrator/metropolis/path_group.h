@@ -14,7 +14,7 @@
 
 namespace ajar {
 
-/// How the states of a chain are made of paths.
+/// Composition of a chain's states from paths.
 enum class ChainKind {
   WholePath,     ///< `pssmlt`: a camera and a light subpath with all their connections
   OnePath,       ///< `mmlt`: one path of one depth and technique
@@ -25,16 +25,16 @@ enum class ChainKind {
 constexpr bool is_explicit(ChainKind kind) {
   return kind == ChainKind::ExplicitPath || kind == ChainKind::SpreadPath;
 }
-/// Whether there are chains of one path of one depth and technique.
+/// True if there are chains of one path of one depth and technique.
 constexpr bool has_one_path(ChainKind kind) {
   return kind == ChainKind::OnePath || kind == ChainKind::ByPath;
 }
-/// Whether there are chains of explicit paths.
+/// True if there are chains of explicit paths.
 constexpr bool has_explicit(ChainKind kind) {
   return is_explicit(kind) || kind == ChainKind::ByPath;
 }
 
-/// What all chains of one kind of path share: the depth, or all depths.
+/// Common data of all chains of one kind of path: the depth, or all depths.
 struct PathGroup {
   ChainKind kind;
   PathClass paths;
@@ -42,7 +42,7 @@ struct PathGroup {
   PathSamplerSettings sampler;
   TechniqueChoice choice;  ///< if there is one depth
   PrimaryShape shape;
-  /// Of explicit paths: what manifold connections are guessed by.
+  /// Photons that guide manifold connections of explicit paths.
   std::shared_ptr<const SpecularPhotons> photons;
 };
 
@@ -57,7 +57,7 @@ std::vector<PathGroup> make_path_groups(const Scene& scene, ChainKind kind,
 /// much.
 double bootstrap_share(std::span<const PathGroup> groups, std::size_t group);
 
-/// Of a scene's film, as far as its filter reaches beyond the crop.
+/// View of a scene's film, as far as its filter reaches beyond the crop.
 ChainView view_of(const Scene& scene, const RenderSettings& settings);
 
 /// Limits of the explicit paths that chains of the group may make.
@@ -65,15 +65,32 @@ inline PathBounds bounds_of(const PathGroup& group, const ChainView& view) {
   return {view, group.sampler.min_depth, group.sampler.max_depth, group.sampler.counted};
 }
 
+/// Everything that chains of one group need to know of what they sample.
+struct ChainProblem {
+  const Scene& scene;
+  const PathGroup& group;
+  const ChainView& view;
+  const ChainWeight* part = nullptr;  ///< of the light that chains make; null: all of it
+};
+
 /// A target of one thread; of explicit paths, connections of two subpaths. What is referred to must
 /// outlive it; `part`, over whose share of the light it is, may be null.
 std::unique_ptr<PathTarget> make_path_target(const Scene& scene, const PathGroup& group,
-                                             const ChainView& view, const PathPart* part = nullptr);
+                                             const ChainView& view,
+                                             const ChainWeight* part = nullptr);
+
+inline std::unique_ptr<PathTarget> make_path_target(const ChainProblem& problem) {
+  return make_path_target(problem.scene, problem.group, problem.view, problem.part);
+}
 
 /// The same for bootstraps: of explicit paths, what these start from (`PathSeeds`). It never
 /// splats.
 std::unique_ptr<PathTarget> make_seed_target(const Scene& scene, const PathGroup& group,
-                                             const ChainView& view, const PathPart* part = nullptr);
+                                             const ChainView& view,
+                                             const ChainWeight* part = nullptr);
+inline std::unique_ptr<PathTarget> make_seed_target(const ChainProblem& problem) {
+  return make_seed_target(problem.scene, problem.group, problem.view, problem.part);
+}
 
 /// The parameter of that name. Raises UsageError for techniques that are tried several times:
 /// chains have no numbers for further tries, and would gain nothing from fewer.

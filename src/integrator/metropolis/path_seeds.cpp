@@ -67,7 +67,7 @@ void PathSeeds::Lot::add_path(const Path& path, double brings) {
 // ---------------------------------------------------------------- PathSeeds
 
 PathSeeds::PathSeeds(const Scene& scene, const PathGroup& group, const ChainView& view,
-                     const PathPart* part, double manifold_tries)
+                     const ChainWeight* part, double manifold_tries)
     : scene_(scene),
       group_(group),
       view_(view),
@@ -149,7 +149,7 @@ std::optional<Path> PathSeeds::choose(SampleSource& numbers, double total, doubl
 
 std::optional<Path> choose_path(const Scene& scene, const PathGroup& group, const ChainView& view,
                                 const SampleOfChains& sample, std::uint64_t number,
-                                const PathPart* part) {
+                                const ChainWeight* part) {
   BootstrapSource numbers(sample.seed, sample.index);
   const double u =
       to_unit_double(hash_numbers(sample.seed, RandomUse::PathSeed, sample.index, number));

@@ -13,17 +13,17 @@
 
 namespace ajar {
 
-/// What chains of explicit paths start from. I of a sample is what all connections of two subpaths
-/// bring, MIS weights included, and now and then what manifold connections bring of paths that
-/// light hit by chance finds alone: these two share such paths by `ManifoldSeeds::hit_share`. So
-/// samples that are chosen in proportion to I, and one of their paths in proportion to what it
-/// brings, give paths in proportion to their light. A target that never splats.
+/// Seeds of chains of explicit paths. I of a sample is the contribution of all connections of two
+/// subpaths, MIS weights included, and at times that of manifold connections to paths that only
+/// unidirectional hits sample: these two share such paths by `ManifoldSeeds::hit_share`. So samples
+/// that are chosen in proportion to I, and one of their paths in proportion to its contribution,
+/// give paths in proportion to their light. Never splats.
 class PathSeeds final : public PathTarget {
  public:
   /// What is referred to must outlive it. `part`: of what techniques bring, if chains do not make
   /// all light; else null. `manifold_tries`: of manifold connections, for each sample.
   PathSeeds(const Scene& scene, const PathGroup& group, const ChainView& view,
-            const PathPart* part = nullptr,
+            const ChainWeight* part = nullptr,
             double manifold_tries = MetropolisHeuristics::kManifoldTries);
   PathSeeds(const PathSeeds&) = delete;
   PathSeeds& operator=(const PathSeeds&) = delete;
@@ -33,12 +33,12 @@ class PathSeeds final : public PathTarget {
   /// them can be a state of a chain (edges that rounding interrupts when traced again).
   std::optional<Path> choose(SampleSource& numbers, double total, double u);
 
-  /// Whether chains of a group make what manifold connections find.
+  /// True if chains of a group contain the paths of manifold connections.
   static bool has_manifolds(const PathGroup& group) {
     return is_explicit(group.kind) && has_paths(group.paths, true) &&
            group.sampler.techniques.any(TechniqueClass::Implicit);
   }
-  /// Whether those of any of them do.
+  /// True if those of any group do.
   static bool any_has_manifolds(std::span<const PathGroup> groups) {
     return std::any_of(groups.begin(), groups.end(), has_manifolds);
   }
@@ -46,15 +46,15 @@ class PathSeeds final : public PathTarget {
     Path path;
     double brings;
   };
-  /// What a try of manifold connections brings, which the group must have, by the randomness that
-  /// `key` names; in the mean, what running into the light leaves of such paths.
+  /// Contribution of a try of manifold connections, which the group must have, by the randomness
+  /// that `key` names; in the mean, the part of such paths that unidirectional hits leave.
   std::vector<Joined> join_by_manifolds(std::uint64_t key);
 
   const RayCounts& ray_counts() const override { return rays_; }
 
  private:
-  /// Of the paths of a sample that it is told of, the sum of what they bring, and that path by
-  /// which the sum comes to a place; the last one, should it not.
+  /// Sums path contributions of a sample; picks the path at which the sum passes a place, or the
+  /// last one.
   class Lot final : public PathRecorder {
    public:
     explicit Lot(PathSeeds& seeds)
@@ -90,7 +90,7 @@ class PathSeeds final : public PathTarget {
   const Scene& scene_;
   const PathGroup& group_;
   const ChainView& view_;
-  const PathPart* part_;
+  const ChainWeight* part_;
   double manifold_tries_;
   PathShare share_;
   PathSampler sampler_;
@@ -106,6 +106,6 @@ class PathSeeds final : public PathTarget {
 /// it.
 std::optional<Path> choose_path(const Scene& scene, const PathGroup& group, const ChainView& view,
                                 const SampleOfChains& sample, std::uint64_t number,
-                                const PathPart* part = nullptr);
+                                const ChainWeight* part = nullptr);
 
 }  // namespace ajar

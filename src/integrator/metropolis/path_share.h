@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "image/importance_map.h"
+#include "integrator/chain_weight.h"
 #include "integrator/metropolis/path_class.h"
-#include "integrator/path_part.h"
 #include "mcmc/path_space/path_weight.h"
 #include "path/technique_parts.h"
 
@@ -14,7 +14,8 @@ namespace ajar {
 ///
 ///     W(x) = Σ_t w_t · share(g_t)
 ///
-/// over the techniques of a sampler, with what `PathPart` leaves of each, and w_t its MIS weight.
+/// over the techniques of a sampler, with what `ChainWeight` leaves of each, and w_t its MIS
+/// weight.
 class PathShare final : public PathWeight {
  public:
   /// What is referred to must outlive it; `part` is null if techniques leave all they find: then W
@@ -22,7 +23,7 @@ class PathShare final : public PathWeight {
   /// lights start from manifold connections, too; what these find that no technique can make is all
   /// theirs: W is 1. Outside of `paths` it is 0.
   PathShare(const Scene& scene, PathSamplerSettings settings, const ImportanceMap& importance,
-            const PathPart* part, PathClass paths = PathClass::All)
+            const ChainWeight* part, PathClass paths = PathClass::All)
       : scene_(scene),
         makes_hits_(settings.techniques.any(TechniqueClass::Implicit)),
         parts_(scene, std::move(settings)),
@@ -38,7 +39,7 @@ class PathShare final : public PathWeight {
   bool makes_hits_;
   TechniqueParts parts_;
   const ImportanceMap& importance_;
-  const PathPart* part_;
+  const ChainWeight* part_;
   PathClass paths_;
 };
 

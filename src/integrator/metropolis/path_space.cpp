@@ -47,10 +47,16 @@ std::vector<double> path_mutation_weights(const Parameters& parameters) {
   return weights;
 }
 
-std::optional<PathMember> PathSpace::start(const Scene& scene, const PathGroup& group,
-                                           const ChainView& view, const SampleOfChains& sample,
-                                           std::uint64_t number) {
-  std::optional<Path> path = choose_path(scene, group, view, sample, number);
+std::optional<PathShare> PathSpace::share_of(const ChainProblem& problem) {
+  if (problem.part == nullptr) return std::nullopt;
+  return std::optional<PathShare>(std::in_place, problem.scene, problem.group.sampler,
+                                  problem.view.importance, problem.part, problem.group.paths);
+}
+
+std::optional<PathMember> PathSpace::start(const ChainProblem& problem,
+                                           const SampleOfChains& sample, std::uint64_t number) {
+  std::optional<Path> path =
+      choose_path(problem.scene, problem.group, problem.view, sample, number, problem.part);
   if (!path) return std::nullopt;
   PathMember member;
   member.chain.seed = sample.chain_seed(number);
@@ -60,14 +66,13 @@ std::optional<PathMember> PathSpace::start(const Scene& scene, const PathGroup& 
   return member;
 }
 
-std::vector<PathMember> PathSpace::seed(const Scene& scene, const PathGroup& group,
-                                        const ChainView& view, std::uint64_t bootstrap_seed,
+std::vector<PathMember> PathSpace::seed(const ChainProblem& problem, std::uint64_t bootstrap_seed,
                                         std::span<const double> weights, std::size_t chains) {
   const double u = to_unit_double(hash_numbers(bootstrap_seed, RandomUse::Seeds));
   const std::vector<std::size_t> indices = choose_seeds(weights, chains, u);
   std::vector<std::optional<PathMember>> started(indices.size());
   parallel_for(indices.size(), [&](std::size_t i) {
-    started[i] = start(scene, group, view, {bootstrap_seed, indices[i], weights[indices[i]]}, i);
+    started[i] = start(problem, {bootstrap_seed, indices[i], weights[indices[i]]}, i);
   });
   std::vector<PathMember> members;
   for (std::optional<PathMember>& member : started) {
@@ -96,11 +101,13 @@ void PathSpace::check(const PathMember& member, const PathGroup& group, double m
   }
 }
 
-void PathSpace::check_state(const Scene& scene, const PathGroup& group, const ChainView& view,
-                            const PathMember& member) {
+void PathSpace::check_state(const ChainProblem& problem, const PathMember& member) {
   SplatBuffer splats;
-  if (!std::isfinite(light_on(scene, member.chain.path, bounds_of(group, view), 0, splats))) {
-    throw std::runtime_error("a chain is in the dark");
+  std::optional<PathShare> share = share_of(problem);
+  if (!std::isfinite(light_on(problem.scene, member.chain.path,
+                              bounds_of(problem.group, problem.view), 0, splats,
+                              share ? &*share : nullptr))) {
+    throw std::runtime_error("corrupt checkpoint: a chain's path carries no light");
   }
 }
 

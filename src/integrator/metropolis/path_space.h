@@ -8,7 +8,9 @@
 #include "core/archive_forward.h"
 #include "core/parameters.h"
 #include "integrator/metropolis/member_chain.h"
+#include "integrator/metropolis/path_share.h"
 #include "integrator/metropolis/sample_of_chains.h"
+#include "integrator/metropolis/visit_maps.h"
 #include "mcmc/chain_runner.h"
 #include "mcmc/path_space/make_path_mutations.h"
 
@@ -18,6 +20,7 @@ namespace ajar {
 struct PathMember {
   PathChain chain;
   ChainRecord record;
+  double weight = 1.0;
 
   std::uint64_t memory_bytes() const {
     return sizeof(PathMember) + chain.path.vertices.capacity() * sizeof(InnerVertex) +
@@ -35,26 +38,27 @@ class PathSpace {
  public:
   using Member = PathMember;
 
-  /// Those of `path_mutation_parameters`. Raises UsageError.
+  /// Weights by `path_mutation_parameters`. Raises UsageError.
   explicit PathSpace(const Parameters& parameters) : weights_(path_mutation_weights(parameters)) {}
 
   static std::span<const Move> moves() { return path_moves(); }
 
-  static std::vector<Member> seed(const Scene& scene, const PathGroup& group, const ChainView& view,
-                                  std::uint64_t bootstrap_seed, std::span<const double> weights,
-                                  std::size_t chains);
+  static std::vector<Member> seed(const ChainProblem& problem, std::uint64_t bootstrap_seed,
+                                  std::span<const double> weights, std::size_t chains);
+  static void begin(const ChainView& /*view*/, int /*replicates*/, double /*magnitude*/) {}
+  static VisitMaps* maps() { return nullptr; }
 
   /// Chain `number` of those that start from a sample; empty if it has no path for one.
-  static std::optional<Member> start(const Scene& scene, const PathGroup& group,
-                                     const ChainView& view, const SampleOfChains& sample,
+  static std::optional<Member> start(const ChainProblem& problem, const SampleOfChains& sample,
                                      std::uint64_t number);
 
   class Walker {
    public:
-    Walker(const PathSpace& space, const Scene& scene, const PathGroup& group,
-           const ChainView& view)
-        : bounds_(bounds_of(group, view)),
-          kernel_(make_path_kernel(scene, bounds_, space.weights_, splat_layer)),
+    Walker(const PathSpace& space, const ChainProblem& problem, int /*replicate*/)
+        : bounds_(bounds_of(problem.group, problem.view)),
+          share_(share_of(problem)),
+          kernel_(make_path_kernel(problem.scene, bounds_, space.weights_, splat_layer,
+                                   share_ ? &*share_ : nullptr)),
           runner_(kernel_) {}
     Walker(const Walker&) = delete;
     Walker& operator=(const Walker&) = delete;
@@ -68,6 +72,7 @@ class PathSpace {
 
    private:
     PathBounds bounds_;
+    std::optional<PathShare> share_;
     PathKernel kernel_;
     ChainRunner runner_;
   };
@@ -75,10 +80,12 @@ class PathSpace {
   static void save(OutputArchive& archive, const Scene& scene, const Member& member);
   static void load(InputArchive& archive, const Scene& scene, Member& member);
   static void check(const Member& member, const PathGroup& group, double most_steps);
-  static void check_state(const Scene& scene, const PathGroup& group, const ChainView& view,
-                          const Member& member);
+  static void check_state(const ChainProblem& problem, const Member& member);
 
  private:
+  /// The weight of paths if chains do not make all light.
+  static std::optional<PathShare> share_of(const ChainProblem& problem);
+
   std::vector<double> weights_;  ///< of the mutations
 };
 

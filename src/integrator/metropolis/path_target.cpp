@@ -11,7 +11,7 @@ namespace {
 class SplatSink final : public PathSink {
  public:
   /// A light subpath stands for so many that ordinary Monte Carlo has per camera sample.
-  SplatSink(const ChainView& view, const PathPart* part, PathClass paths, double light_subpaths,
+  SplatSink(const ChainView& view, const ChainWeight* part, PathClass paths, double light_subpaths,
             const Vec2& raster, SplatBuffer& splats)
       : view_(view),
         part_(part),
@@ -47,7 +47,7 @@ class SplatSink final : public PathSink {
 
  private:
   const ChainView& view_;
-  const PathPart* part_;
+  const ChainWeight* part_;
   PathClass paths_;
   float light_subpaths_;
   Vec2 raster_;
@@ -86,7 +86,7 @@ bool traces_light_alone(const PathSamplerSettings& settings) {
 }
 
 WholePathTarget::WholePathTarget(const Scene& scene, const PathSamplerSettings& settings,
-                                 const ChainView& view, const PathPart* part, PathClass paths)
+                                 const ChainView& view, const ChainWeight* part, PathClass paths)
     : view_(view),
       part_(part),
       paths_(paths),
@@ -120,7 +120,7 @@ TechniqueChoice::Chosen TechniqueChoice::choose(float u) const {
 
 OnePathTarget::OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                              const TechniqueChoice& choice, const ChainView& view,
-                             const PathPart* part, PathClass paths)
+                             const ChainWeight* part, PathClass paths)
     : view_(view),
       part_(part),
       paths_(paths),

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "image/importance_map.h"
+#include "integrator/chain_weight.h"
 #include "integrator/metropolis/path_class.h"
-#include "integrator/path_part.h"
 #include "mcmc/primary/target.h"
 #include "path/raster_area.h"
 #include "transport/path_sampler.h"
@@ -32,8 +32,8 @@ constexpr std::int32_t splat_layer(int depth) { return depth <= 2 ? kDirectSplat
 /// Σ luminance · importance over splats: the contribution function I.
 double contribution(std::span<const Splat> splats, const ImportanceMap& importance);
 
-/// Whether light subpaths end on the lens and are joined to nothing else: then a sample has one
-/// that no camera subpath asks for.
+/// True if light subpaths are connected to the lens only: then a sample has one without a camera
+/// subpath.
 bool traces_light_alone(const PathSamplerSettings& settings);
 
 /// The number of `Stream::Connection`, vertex 0, that chooses the technique of a state.
@@ -79,14 +79,14 @@ class WholePathTarget final : public PathTarget {
  public:
   /// `view`, and `part` if it is not null, must outlive the target.
   WholePathTarget(const Scene& scene, const PathSamplerSettings& settings, const ChainView& view,
-                  const PathPart* part = nullptr, PathClass paths = PathClass::All);
+                  const ChainWeight* part = nullptr, PathClass paths = PathClass::All);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override { directions_.accept(); }
   const RayCounts& ray_counts() const override { return sampler_.ray_counts(); }
 
  private:
   const ChainView& view_;
-  const PathPart* part_;
+  const ChainWeight* part_;
   PathClass paths_;
   bool light_alone_;
   PathSampler sampler_;
@@ -103,7 +103,7 @@ class OnePathTarget final : public PathTarget {
   /// `settings.light_subpaths` of ordinary Monte Carlo.
   OnePathTarget(const Scene& scene, const PathSamplerSettings& settings,
                 const TechniqueChoice& choice, const ChainView& view,
-                const PathPart* part = nullptr, PathClass paths = PathClass::All);
+                const ChainWeight* part = nullptr, PathClass paths = PathClass::All);
   double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) override;
   void accepted() override;
   void rejected() override;
@@ -113,13 +113,13 @@ class OnePathTarget final : public PathTarget {
  private:
   /// One half of a path: the vertex it ends with, if it gets there.
   struct Half {
-    int vertices = 0;  ///< that it was traced for; 0: not known
+    int vertices = 0;  ///< number of vertices of its trace; 0: not known
     int lane = 0;      ///< by which it was traced
     bool complete = false;
     PathVertex end;
   };
-  /// What is current and what is proposed change places without a copy: ends are large, and those
-  /// never reached hold nothing that may be read.
+  /// Current and proposed halves are swapped without a copy: ends are large, and those never
+  /// reached hold nothing that may be read.
   struct Halves {
     Half& current() { return both[now]; }
     Half& proposal() { return both[1 - now]; }
@@ -133,7 +133,7 @@ class OnePathTarget final : public PathTarget {
   static void keep(Halves& halves, bool moved);
 
   const ChainView& view_;
-  const PathPart* part_;
+  const ChainWeight* part_;
   PathClass paths_;
   double light_subpaths_;
   bool uses_lane_;

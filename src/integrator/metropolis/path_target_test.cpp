@@ -12,7 +12,7 @@ namespace {
 
 float unit(int i) { return to_unit_float(static_cast<std::uint32_t>(hash_numbers(3, i) >> 32U)); }
 
-/// How often each technique is chosen in so many tries.
+/// Frequency of each technique in so many tries.
 std::vector<int> frequencies(const TechniqueChoice& choice, int tries) {
   std::vector<int> counts(choice.size(), 0);
   for (int i = 0; i < tries; ++i) ++counts[choice.choose(unit(i)).number];

@@ -19,7 +19,7 @@ template <typename Member>
 struct PopulationOf {
   std::size_t group = 0;
   int replicate = 0;
-  std::uint64_t seed = 0;       ///< of its bootstrap
+  std::uint64_t seed = 0;       ///< seed of its bootstrap
   std::vector<double> weights;  ///< I of the bootstrap samples; emptied once chains are seeded
   std::vector<Member> chains;
 };
@@ -86,7 +86,7 @@ void share_chains(std::vector<P>& populations, std::span<const PathGroup> groups
   }
 }
 
-/// The same for chains of primary numbers.
+/// Seeds populations of chains of primary numbers.
 template <typename P, typename B>
 void seed_populations(std::vector<P>& populations, std::span<const PathGroup> groups,
                       std::size_t chains, const B& b_of, const SeedRule& rule = {}) {

@@ -25,9 +25,8 @@ constexpr WarningKind kRareThrough{
 
 constexpr std::uint32_t kSamples = MonteCarloHeuristics::kLookingAround;
 
-/// Counts subpaths of either end, and those of which the first vertex is clear; of light subpaths
-/// only those of lamps that no ray runs into. Of other lamps it keeps where their light leaves what
-/// is clear.
+/// Counts subpaths of either end, and those whose first vertex is clear; light subpaths only of
+/// lamps that no ray runs into. For other lamps it records where their light leaves clear surfaces.
 class ClearSink final : public PathSink {
  public:
   void add(const Contribution& /*contribution*/) override {}
@@ -62,7 +61,7 @@ class ClearSink final : public PathSink {
   std::vector<Landing> landings;
 
  private:
-  int vertices_ = 0;  ///< of the subpath that is on
+  int vertices_ = 0;  ///< length of the current subpath
   bool all_clear_ = true;
   const Endpoint* lamp_ = nullptr;
 };

@@ -7,10 +7,10 @@
 
 namespace ajar {
 
-/// What the techniques of a method cannot see in a scene, however long it renders: paths of depths
-/// that none of them makes, and what a few thousand samples meet that is out of their reach. Empty
-/// if there is nothing of the kind. `joins_by_manifolds`: whoever asks has chains that start from
-/// manifold connections (`PathSeeds`), which make what no technique does.
+/// Light that the techniques of a method cannot sample in a scene, however long it renders: paths
+/// of depths that none of them makes, and those out of their reach among a few thousand samples.
+/// Empty if there is none. `joins_by_manifolds`: the method has chains that start from manifold
+/// connections (`PathSeeds`), which make paths beyond all techniques.
 std::vector<Warning> blind_spots(const Scene& scene, const RenderSettings& settings,
                                  const PathSamplerSettings& sampler,
                                  bool joins_by_manifolds = false);

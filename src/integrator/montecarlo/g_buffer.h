@@ -11,14 +11,13 @@
 
 namespace ajar {
 
-/// The layers that describe the first surface a camera ray sees. Which of them a film has is
-/// decided by name.
+/// Layers of the first surface that a camera ray meets, selected by the names that a film has.
 class GBuffer {
  public:
   /// Names of all its layers.
   static std::span<const std::string> names();
-  /// Specs of those layers that are asked for, and of what divides them if that is asked for;
-  /// `scene_size` is a typical distance.
+  /// Specs of the requested layers, and of their divisor if requested; `scene_size` is a typical
+  /// distance.
   static std::vector<LayerSpec> layers(std::span<const std::string> asked_for, float scene_size);
 
   explicit GBuffer(const Film& film);

@@ -170,7 +170,7 @@ TEST(GBuffer, DoesNotDependOnTheOrderOfSamples) {
   }
 }
 
-TEST(GBuffer, MakesOnlyTheLayersThatAreAskedFor) {
+TEST(GBuffer, MakesOnlyRequestedLayers) {
   const auto names = [](const std::vector<std::string>& asked_for) {
     std::vector<std::string> result;
     for (const LayerSpec& spec : GBuffer::layers(asked_for, 1.F)) result.push_back(spec.name);

@@ -4,7 +4,7 @@
 
 namespace ajar {
 
-/// The fitted numbers of the wing, beside parameters, which tell their own ranges.
+/// The fitted numbers of the wing, beside parameters, which declare their own ranges.
 struct MonteCarloHeuristics {
   // -------------------------------------------------------- rates of camera samples
   /// Squares of the picture that have one rate, which is found over them and those around: four
@@ -12,13 +12,14 @@ struct MonteCarloHeuristics {
   /// Unit: pixels across. Range: >= 1. Source: docs/notebook/selective.md, "Where camera samples
   /// go"; half and double not measured.
   static constexpr int kRateCell = 4;
-  /// What a few samples say of noise is not believed beyond this, nor below one over it.
+  /// Bound of the rates that a few samples suggest, above and below (its inverse).
   /// Unit: rate over the mean rate. Range: >= 1. Source: docs/notebook/selective.md, "Constants".
   static constexpr double kMostRate = 8.0;
 
   // -------------------------------------------------------- scale of a picture
   //
-  // It sets the unit of sums, and, as the median of means, what weak connections are (`cull`).
+  // Groups for the median of means: it sets the unit of sums, and the scale of weak connections
+  // (`cull`).
 
   /// Groups of camera samples of which means are taken.
   /// Unit: groups. Range: >= 1. Source: c7b4e5f; set by hand, no study.
@@ -33,10 +34,9 @@ struct MonteCarloHeuristics {
   /// and double not told from it.
   static constexpr std::uint32_t kFeatureSamples = 16;
 
-  // -------------------------------------------------------- warnings
-  /// Camera samples that look for what techniques cannot see: what takes less than a thousandth of
-  /// the picture may go unnoticed.
-  /// Unit: samples. Range: >= 1. Source: set by hand, no study.
+  // Camera samples that look for paths beyond the techniques: effects of less than a thousandth of
+  // the picture may go unnoticed.
+  // Unit: samples. Range: >= 1. Source: set by hand, no study.
   static constexpr std::uint32_t kLookingAround = 4096;
   /// Glass of so many edges is looked through.
   /// Unit: edges. Range: >= 4. Source: set by hand; double names the same lamps in eighteen scenes.

@@ -127,7 +127,7 @@ class PathIntegrator final : public Integrator {
     return index * pixels + pixel_number;
   }
 
-  /// The light's sequence is cut where its 32-bit index would overflow; each stretch has its own
+  /// The light's sequence is cut where its 32-bit index would overflow; each part has its own
   /// scrambling.
   std::uint64_t light_seed(std::uint64_t replicate, std::uint64_t light_number) const {
     return hash_numbers(settings_.seed, replicate, RandomUse::LightSubpaths, light_number >> 32U);
@@ -141,8 +141,8 @@ class PathIntegrator final : public Integrator {
             .light_index = static_cast<std::uint32_t>(number)};
   }
 
-  /// Of a light subpath that belongs to no camera path; it makes its connections by numbers of its
-  /// own, too.
+  /// Identity of a light subpath that belongs to no camera path; it makes its connections by
+  /// numbers of its own, too.
   SampleIdentity light_identity(std::uint64_t replicate, std::uint64_t light_number) const {
     const std::uint64_t seed = light_seed(replicate, light_number);
     const auto index = static_cast<std::uint32_t>(light_number);
@@ -163,7 +163,7 @@ class PathIntegrator final : public Integrator {
   /// The share of a pixel in the picture's sample number `i`. Returns how many camera samples that
   /// were.
   std::uint64_t sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
-                             SampleSink& sink, StrongPathSink* strong) const {
+                             SampleSink& sink, OutlierSink* strong) const {
     const std::uint64_t replicate = i % replicates();
     const std::uint64_t round = i / replicates();
     sink.begin_pixel(pixel, static_cast<int>(replicate),
@@ -193,7 +193,7 @@ class PathIntegrator final : public Integrator {
   /// The light subpaths that belong to number `number` of the pixels' shares in the picture's
   /// samples.
   void sample_light(std::uint64_t replicate, std::uint64_t number, PathSampler& sampler,
-                    SampleSink& sink, StrongPathSink* strong) const {
+                    SampleSink& sink, OutlierSink* strong) const {
     const auto [first, last] = light_numbers(number);
     for (std::uint64_t n = first; n < last; ++n) {
       with_source(light_identity(replicate, n), [&](SampleSource& source) {
@@ -219,7 +219,7 @@ class PathIntegrator final : public Integrator {
   const Scene& scene_;
   RenderSettings settings_;
   const Divisions* divisions_;
-  const StrongPathSinks* strong_;
+  const OutlierSinkFactory* strong_;
   const SampleRates* rates_;
   const RayPrice* price_;
   bool joins_by_manifolds_;

@@ -6,46 +6,46 @@
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/montecarlo/ray_price.h"
 #include "integrator/montecarlo/sample_rates.h"
-#include "integrator/strong_paths.h"
+#include "integrator/outlier_paths.h"
 #include "transport/path_sampler.h"
 
 namespace ajar {
 
-/// What the members of the family differ in: the defaults of their parameters.
+/// Defaults of a family member's parameters.
 struct PathFamilyDefaults {
   std::string techniques;
   double light_paths_per_pixel = 1.0;
   int roulette_start = 5;
 };
-/// Those of the member with these techniques, or suitable ones if none has them.
+/// Defaults of the member with these techniques, or suitable ones if none has them.
 PathFamilyDefaults path_family_defaults(const std::string& techniques);
 std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defaults);
 
-/// How bright a picture is, roughly.
+/// Approximate brightness of a picture.
 struct PictureScale {
   double mean;             ///< largest lane, to within a small factor; above 0
-  double median_of_means;  ///< the same without its fireflies; may be 0
+  double median_of_means;  ///< mean without fireflies; may be 0
 };
 /// From a few thousand samples of the integrator that the same arguments make.
 PictureScale measure_scale(const Scene& scene, const RenderSettings& settings,
                            const Parameters& parameters);
 
-/// How its paths are sampled. Raises UsageError if the parameter `techniques` cannot be read.
+/// Settings of its path sampler. Raises UsageError if the parameter `techniques` cannot be read.
 PathSamplerSettings sampler_settings(const RenderSettings& settings, const Parameters& parameters);
-/// Whether light subpaths are connected to the lens only, and so belong to no camera sample.
+/// True if light subpaths are connected to the lens only, and so belong to no camera sample.
 bool light_alone(const TechniqueSet& techniques);
 
-/// What ordinary Monte Carlo may be told by others that render the same picture; what is pointed to
-/// must outlive it.
+/// Inputs of ordinary Monte Carlo from others that render the same picture; pointers must outlive
+/// it.
 struct PathIntegratorContext {
   /// With these, it leaves Markov chains their share of long paths and puts its own into the layer
   /// `kWeakLayer`.
   const Divisions* divisions = nullptr;
-  const StrongPathSinks* strong = nullptr;  ///< see what it leaves to chains
-  const SampleRates* rates = nullptr;       ///< of camera samples; one per pixel without
-  const RayPrice* price = nullptr;          ///< saves rays by Russian roulette
-  std::optional<PictureScale> scale{};      ///< measured unless it is known
-  bool joins_by_manifolds = false;          ///< see `blind_spots`
+  const OutlierSinkFactory* strong = nullptr;  ///< see what it leaves to chains
+  const SampleRates* rates = nullptr;          ///< of camera samples; one per pixel without
+  const RayPrice* price = nullptr;             ///< saves rays by Russian roulette
+  std::optional<PictureScale> scale{};         ///< measured unless it is known
+  bool joins_by_manifolds = false;             ///< see `blind_spots`
 };
 
 /// Ordinary Monte Carlo with one set of techniques (docs/methods/bidirectional.md): `pt`, `lt`,

@@ -9,7 +9,7 @@
 namespace ajar {
 
 void RayPrice::adjust(std::span<const double> variance, double rays) {
-  // Of visible errors: fireflies, and the border of a lamp, say little of all other pixels.
+  // Mean of visible errors: fireflies, and the border of a lamp, say little of all other pixels.
   double sum = 0.0;
   for (const double of_pixel : variance) sum += visible_error(of_pixel);
   const double price = std::sqrt(variance_of(sum / static_cast<double>(variance.size())) / rays);

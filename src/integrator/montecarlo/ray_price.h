@@ -6,15 +6,15 @@
 
 namespace ajar {
 
-/// What a ray of ordinary Monte Carlo has to bring, for efficiency-aware Russian roulette (after
-/// Rath et al. 2022, "EARS").
+/// Contribution below which a ray of ordinary Monte Carlo is not worth tracing, for
+/// efficiency-aware Russian roulette (after Rath et al. 2022, "EARS").
 ///
 /// With variance V and C rays per camera sample, the error after a given time follows V · C. A ray
-/// that brings v, traced with probability q, adds v²/q to V and q to C, so that V · C is smallest
-/// with q = v / √(V/C), or 1 if that is more: √(V/C) is the price of a ray. Connections know their
-/// v. Of a camera subpath of throughput β, v is taken to be Λ · β for each of the rays that the
-/// rest of it takes (see `RoulettePilot`). The price decides about chances alone, so whatever it
-/// is, and whenever it changes between passes, no expectation does.
+/// of contribution v, traced with probability q, adds v²/q to V and q to C, so that V · C is
+/// smallest with q = v / √(V/C), or 1 if that is more: √(V/C) is the price of a ray. The v of a
+/// connection is known. That of a camera subpath of throughput β is estimated as Λ · β for each of
+/// the rays that the rest of it takes (see `RoulettePilot`). The price affects survival
+/// probabilities alone, so no price, and no change of it between passes, biases the picture.
 class RayPrice {
  public:
   /// `price`: in luminance · importance, until `adjust`. `rest`: Λ, in radiance. Both positive.
@@ -22,7 +22,7 @@ class RayPrice {
   RayPrice(const ImportanceMap& importance, double price, double rest)
       : importance_(&importance), price_(price), rest_(rest) {}
 
-  /// How many rays one unit of light is worth that lands there.
+  /// Rays that one unit of light is worth there.
   float worth(const Vec2& raster) const {
     return (*importance_)(raster) / static_cast<float>(price_);
   }

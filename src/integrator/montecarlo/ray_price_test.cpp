@@ -29,7 +29,7 @@ TEST(RayPrice, IsLowerWhereLightIsImportant) {
   EXPECT_FLOAT_EQ(price.worth(kPlace + Vec2(1.F, 0.F)), 3.F);
 }
 
-TEST(RayPrice, IsNotMadeByAFewFireflies) {
+TEST(RayPrice, IsRobustToFireflies) {
   RayPrice price(kEven, 1.0, 1.0);
   std::vector<double> variance(1000, 1.0);
   variance.front() = 1e6;
@@ -47,7 +47,7 @@ TEST(RayPrice, StaysWhereThereIsNoNoise) {
   EXPECT_FLOAT_EQ(price.worth(kPlace), 2.F);
 }
 
-TEST(RayPrice, IsKeptInAnArchive) {
+TEST(RayPrice, SurvivesAnArchive) {
   RayPrice price(kEven, 0.5, 1.0);
   price.adjust(std::vector<double>(10, 36.0), 4.0);
   const std::string bytes = archived([&](OutputArchive& out) { price.save_state(out); });
@@ -57,7 +57,7 @@ TEST(RayPrice, IsKeptInAnArchive) {
   EXPECT_EQ(again.worth(kPlace), price.worth(kPlace));
 }
 
-TEST(RayPrice, RefusesWhatCannotBe) {
+TEST(RayPrice, RefusesInvalidStates) {
   for (const double wrong : {0.0, -1.0, 1e-300, 1e300, std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity()}) {
     const std::string bytes = archived([&](OutputArchive& out) { out(wrong); });

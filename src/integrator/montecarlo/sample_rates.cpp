@@ -113,7 +113,7 @@ void SampleRates::adjust(std::span<const double> variance, Guesses guesses, std:
   std::transform(variance.begin(), variance.end(), errors.begin(), visible_error);
   std::vector<double> of_cells = means(errors);
   for (std::size_t i = 0; i < grid_.size(); ++i) {
-    // Of one camera sample, but for a factor that all have.
+    // Error of one camera sample, up to a common factor.
     of_cells[i] /= visible_error(grid_[i].inverse);
   }
   std::vector<double> rates = with_neighbours(of_cells);
@@ -163,7 +163,7 @@ void SampleRates::load_state(InputArchive& archive, std::uint64_t samples) {
   }
   for (Cell& cell : grid_) {
     archive(cell.before, cell.inverse, cell.rate);
-    // What is clamped is then divided by its mean, which is within the same bounds.
+    // Clamped rates are then divided by their mean, which is within the same bounds.
     constexpr double kBeyond = kMost * kMost;
     const double most = kBeyond * static_cast<double>(since_);
     if (!(cell.rate * kBeyond >= 1.0 && cell.rate <= kBeyond && cell.before >= 0.0 &&

@@ -10,17 +10,16 @@
 
 namespace ajar {
 
-/// How many camera samples ordinary Monte Carlo has where: one per pixel and sample of the picture
-/// on average, more where there is more noise. A pixel's rate r is the number it has on average,
-/// and each weighs 1/r, so that every sample of the picture stands for the whole of it, whatever
-/// the rates were: they may follow from samples that stay, and change between passes, without
-/// biasing anything.
+/// Distribution of camera samples over pixels: one per pixel and sample of the picture on average,
+/// more where there is more noise. A pixel's rate r is its mean number of samples, and each weighs
+/// 1/r, so that every sample of the picture covers the whole of it. The rates may depend on samples
+/// that are kept, and change between passes, without bias.
 ///
-/// In each replicate a pixel has k · r of them after k, rounded up or down: where it starts to
-/// count is random, so that this is right on average. That alone would be noise of up to one
-/// sample, and seen where there is no other. So there is a guess m of what a pixel's samples bring:
-/// it is put into the picture once per sample of it, and camera samples bring what they see less m,
-/// each times 1/r. Whatever m is, that changes no expectation.
+/// In each replicate a pixel has k · r samples after k, rounded up or down: the start of the count
+/// is random, so that this is right on average. That alone would be noise of up to one sample, and
+/// seen where there is no other. So there is a control variate m: it is put into the picture once
+/// per sample of it, and camera samples contribute their value less m, each times 1/r. No m changes
+/// the expectation.
 class SampleRates {
  public:
   /// One each for all pixels of `crop`, until `adjust`. `replicates`: at least one.
@@ -32,27 +31,27 @@ class SampleRates {
     std::uint64_t last;  ///< not one of them any more
     float weight;        ///< 1/r
   };
-  /// Those that belong to number `round` of the picture's samples in a replicate; not before the
-  /// last `adjust`.
+  /// Camera samples of number `round` of the picture's samples in a replicate; not before the last
+  /// `adjust`.
   Batch batch(Vec2i pixel, std::uint64_t replicate, std::uint64_t round) const;
-  /// What light that is traced along with all camera samples, to land anywhere, weighs.
+  /// Weight of light subpaths, traced along with all camera samples, that may land anywhere.
   float light_weight() const { return light_weight_; }
 
-  /// What camera samples bring to a pixel, as far as is known.
+  /// Control variate: the estimated light of a pixel's camera samples.
   struct Guess {
     Spectrum direct;
     Spectrum indirect;
   };
   Guess guess(Vec2i pixel) const;
-  /// Of all pixels: 3 floats each, row by row; empty if black.
+  /// Control variates of all pixels: 3 floats each, row by row; empty if black.
   struct Guesses {
     std::vector<float> direct;
     std::vector<float> indirect;
   };
 
-  /// Makes what can be seen of errors smallest (visible_error.h), as far as it is the camera
-  /// samples' to decide. `variance`: of the mean of the first `samples` samples of the picture (a
-  /// multiple of the number of replicates, no fewer than before), pixel by pixel, row by row.
+  /// Minimises the visible error (visible_error.h) over camera samples. `variance`: of the mean of
+  /// the first `samples` samples of the picture (a multiple of the number of replicates, no fewer
+  /// than before), pixel by pixel, row by row.
   void adjust(std::span<const double> variance, Guesses guesses, std::uint64_t samples);
 
   std::uint64_t memory_bytes() const;
@@ -68,7 +67,7 @@ class SampleRates {
     double rate = 1.0;     ///< since then
   };
   std::size_t cell_of(Vec2i pixel) const;
-  /// In 0..1: what a pixel has of its first camera sample before there is any.
+  /// In 0..1: initial fraction of a pixel's first camera sample.
   double start_of(Vec2i pixel, std::uint64_t replicate) const;
   double upto(const Cell& cell, std::uint64_t round) const {
     return cell.before + cell.rate * static_cast<double>(round - since_);
@@ -84,8 +83,8 @@ class SampleRates {
   std::uint64_t since_ = 0;  ///< the picture's samples in a replicate
   float light_weight_ = 1.F;
   std::vector<Cell> grid_;
-  std::vector<double> pixels_;  ///< of each cell
-  std::vector<float> starts_;   ///< of each pixel, row by row, in the first replicate
+  std::vector<double> pixels_;  ///< pixels of each cell
+  std::vector<float> starts_;   ///< start of each pixel, row by row, in the first replicate
   Guesses guesses_;
 };
 

@@ -30,7 +30,7 @@ std::vector<double> row_by_row(const OfPixel& value) {
 /// Noise on the left is four times that on the right.
 double two_halves(int x, int /*y*/) { return x < 24 ? 16.0 : 1.0; }
 
-/// Guesses that tell pixels apart.
+/// Distinct control variates of all pixels.
 SampleRates::Guesses some_guesses() {
   SampleRates::Guesses guesses;
   for (const double value : row_by_row([](int x, int y) { return 100 * y + x; })) {
@@ -64,7 +64,7 @@ TEST(SampleRates, AreOneUntilNoiseIsKnown) {
   EXPECT_EQ(rates.light_weight(), 1.F);
 }
 
-TEST(SampleRates, FollowWhatIsSeenOfTheNoise) {
+TEST(SampleRates, FollowVisibleNoise) {
   const SampleRates rates = rates_for(two_halves);
   const double deserved = samples_for(visible_error(16.0)) / samples_for(visible_error(1.0));
   EXPECT_NEAR(rate_at(rates, {8, 20}) / rate_at(rates, {40, 20}), deserved, 1e-5);
@@ -88,8 +88,8 @@ TEST(SampleRates, AreOneOnAverage) {
   }
 }
 
-TEST(SampleRates, HaveWhatIsLeftOfNoiseInSamplesOfUnevenWeight) {
-  // What n samples of the picture leave is the sum of their variances over n².
+TEST(SampleRates, AccountForSamplesOfUnevenWeight) {
+  // Variance after n samples of the picture: the sum of their variances over n².
   SampleRates rates = rates_for(two_halves);
   const auto later = row_by_row([&](int x, int y) {
     const auto after = static_cast<double>(4 * kFirst);
@@ -119,7 +119,7 @@ TEST(SampleRates, AreKeptInEachReplicateWithoutGaps) {
   }
 }
 
-TEST(SampleRates, ArePromisedOnAverageAndToWithinOneSample) {
+TEST(SampleRates, HoldOnAverageAndToWithinOneSample) {
   const SampleRates rates = rates_for(two_halves);
   constexpr std::uint64_t kStart = kFirst / kReplicates;
   for (const std::uint64_t end : {kStart + 1, kStart + 2, kStart + 7}) {
@@ -147,7 +147,7 @@ TEST(SampleRates, ArePromisedOnAverageAndToWithinOneSample) {
   }
 }
 
-TEST(SampleRates, HaveAGuessOfEachPixel) {
+TEST(SampleRates, HaveAControlVariateOfEachPixel) {
   SampleRates rates = rates_for(two_halves);
   EXPECT_EQ(rates.guess({3, 5}).direct, Spectrum(503.F));
   EXPECT_EQ(rates.guess({44, 6}).indirect, Spectrum(1288.F, 644.F, 0.F));
@@ -157,7 +157,7 @@ TEST(SampleRates, HaveAGuessOfEachPixel) {
   EXPECT_TRUE(rates.guess({44, 6}).indirect.is_black());
 }
 
-TEST(SampleRates, AreKeptInAnArchive) {
+TEST(SampleRates, SurviveAnArchive) {
   SampleRates rates = rates_for(two_halves);
   const std::string bytes = archived([&](OutputArchive& out) { rates.save_state(out); });
   SampleRates again(kCrop, kReplicates, 7);

@@ -92,13 +92,13 @@ void SampleSink::first_vertex(const PathVertex& vertex, const Hit* hit, float di
   g_buffer_.add(film_, pixel_, filter_weight_ * weight_, sample_, distance, vertex, hit);
 }
 
-void SampleSink::keep_strong_for(const StrongPathSink& sink) {
+void SampleSink::keep_strong_for(const OutlierSink& sink) {
   keeps_strong_ = true;
-  grain_ = sink.grain();
+  outlier_threshold_ = sink.threshold();
 }
 
-void SampleSink::hand_over(StrongPathSink& sink, SampleSource& numbers) {
-  for (StrongPath& path : strong_) {
+void SampleSink::hand_over(OutlierSink& sink, SampleSource& numbers) {
+  for (OutlierPath& path : strong_) {
     if (path.technique.t > 1) {
       const float coverage = film_.coverage(path.raster);
       if (!(coverage > 0.F)) {
@@ -142,21 +142,21 @@ void SampleSink::divide(Contribution& contribution) {
 
 void SampleSink::keep_strong(const Contribution& contribution, const Vec2& raster,
                              const Division::Parts& parts) {
-  StrongPath path{contribution.technique,
-                  raster,
-                  replicate_,
-                  parts.strength,
-                  Spectrum(),
-                  static_cast<double>(parts.light * parts.chains),
-                  origin_ + static_cast<std::uint64_t>(contribution.light_subpath),
-                  contribution.light_subpath,
-                  contribution.hit_only};
+  OutlierPath path{contribution.technique,
+                   raster,
+                   replicate_,
+                   parts.strength,
+                   Spectrum(),
+                   static_cast<double>(parts.light * parts.chains),
+                   origin_ + static_cast<std::uint64_t>(contribution.light_subpath),
+                   contribution.light_subpath,
+                   contribution.hit_only};
   const float weight = path.technique.t == 1 ? light_weight_ : weight_;
   path.energy *= static_cast<double>(weight);
-  const double lot = draw_lot(path.energy, grain_, path.key());
-  if (lot == 0.0) return;
-  path.value = contribution.value * (parts.chains * weight * static_cast<float>(lot));
-  path.energy *= lot;
+  const double survivor_weight = russian_roulette(path.energy, outlier_threshold_, path.key());
+  if (survivor_weight == 0.0) return;
+  path.value = contribution.value * (parts.chains * weight * static_cast<float>(survivor_weight));
+  path.energy *= survivor_weight;
   strong_.push_back(path);
 }
 
@@ -193,7 +193,7 @@ void SampleSink::discard(const Contribution& contribution) {
                               std::to_string(contribution.technique.t) +
                               "); to replay it: the same scene and resolution with --seed " +
                               std::to_string(seed_) + " --spp " + std::to_string(sample_ + 1);
-  // Light subpaths belong to the whole picture, so only what hangs on a camera path alone can be
+  // Light subpaths belong to the whole picture, so only contributions of a camera path alone can be
   // replayed in a crop.
   if (contribution.technique.s <= 1) {
     counters_.first_discarded += " --crop " + x + "," + y + "," + std::to_string(pixel_.x + 1) +

@@ -10,28 +10,28 @@
 #include "integrator/montecarlo/sample_rates.h"
 #include "integrator/montecarlo/technique_layers.h"
 #include "integrator/montecarlo/technique_tally.h"
-#include "integrator/strong_paths.h"
+#include "integrator/outlier_paths.h"
 #include "transport/path_sampler.h"
 #include "transport/sample_source.h"
 
 namespace ajar {
 
-/// Where the paths of ordinary Monte Carlo go: gathers those of one camera sample, splats those of
-/// its light subpath, leaves Markov chains their share, and tells the sampler what rays are worth.
-/// The layers of the film are `direct` and, for longer paths, `kWeakLayer` if there is one, else
-/// `indirect`. What is not finite or negative is left out and counted.
+/// Sink of ordinary Monte Carlo's paths: gathers those of one camera sample, splats those of its
+/// light subpath, leaves Markov chains their part, and gives the sampler the worth of rays. The
+/// layers of the film are `direct` and, for longer paths, `kWeakLayer` if there is one, else
+/// `indirect`. Contributions that are not finite or negative are left out and counted.
 class SampleSink final : public PathSink {
  public:
-  /// `divisions` is null where nothing is left to chains; `cull_below`: what is worth a ray where
-  /// there is no `price`. What it refers to must outlive the sink.
+  /// `divisions` is null where nothing is left to chains; `cull_below`: contribution worth a ray
+  /// where there is no `price`. References must outlive the sink.
   SampleSink(Film& film, const Divisions* divisions, const RayPrice* price, double cull_below,
              const GBuffer& g_buffer, const TechniqueLayers& techniques, std::uint64_t seed,
              Counters& counters);
 
-  /// `light_weight`: of what light subpaths bring to the lens. What camera samples bring is put on
-  /// the film as far as `guess` has it; from each, that much is taken.
+  /// `light_weight`: weight of light subpaths that reach the lens. `guess`, the control variate, is
+  /// added to the film, and subtracted from each camera sample.
   void begin_pixel(Vec2i pixel, int replicate, float light_weight, const SampleRates::Guess& guess);
-  /// `raster`: where the camera ray goes through the film. What is seen there weighs
+  /// `raster`: where the camera ray goes through the film. Its contributions have the weight
   /// `filter_weight` · `weight`.
   void begin_sample(const Vec2& raster, float filter_weight, float weight, std::uint64_t sample);
   /// Before the paths of a camera sample or light subpath: its name.
@@ -42,11 +42,11 @@ class SampleSink final : public PathSink {
   float worth(const Vec2& raster) const override;
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override;
 
-  /// From now on keeps strong paths, with the grain of `sink`.
-  void keep_strong_for(const StrongPathSink& sink);
+  /// From now on keeps strong paths, above the threshold of `sink`.
+  void keep_strong_for(const OutlierSink& sink);
   /// Lets a sink have the strong paths found since the last call. Those seen by a camera ray are
   /// worth its filter weight, and as much more as there are fewer rays near the film's border.
-  void hand_over(StrongPathSink& sink, SampleSource& numbers);
+  void hand_over(OutlierSink& sink, SampleSource& numbers);
 
   void end_sample();
   void end_pixel(std::uint64_t samples) { tally_.end_pixel(static_cast<double>(samples)); }
@@ -56,7 +56,7 @@ class SampleSink final : public PathSink {
   struct Layers {
     int direct;
     int indirect;
-    int strong;  ///< −1 if nobody wants to know
+    int strong;  ///< −1 if not recorded
   };
 
   void put(int layer, const Spectrum& value);
@@ -69,7 +69,7 @@ class SampleSink final : public PathSink {
 
   Film& film_;
   const Divisions* divisions_;
-  const Division* division_ = nullptr;  ///< of the replicate
+  const Division* division_ = nullptr;  ///< division of the replicate
   const RayPrice* price_;
   float worth_;
   Layers layers_;
@@ -86,14 +86,14 @@ class SampleSink final : public PathSink {
   float light_weight_ = 1.F;
   SampleRates::Guess guess_;
   std::uint64_t sample_ = 0;
-  bool sees_something_ = false;  ///< whether the camera ray of this sample has met anything
+  bool sees_something_ = false;  ///< the camera ray of this sample has met something
   Spectrum direct_;
   Spectrum indirect_;
   Spectrum strong_light_;
   bool keeps_strong_ = false;
-  double grain_ = 0.0;  ///< of the strong paths
+  double outlier_threshold_ = 0.0;  ///< of the strong paths
   std::uint64_t origin_ = 0;
-  std::vector<StrongPath> strong_;
+  std::vector<OutlierPath> strong_;
 };
 
 }  // namespace ajar

@@ -39,7 +39,7 @@ Spectrum sky(const Scene& scene, const Vec3& direction) {
   return radiance;
 }
 
-/// What a surface shows of itself: its light where it has any.
+/// Look of a surface: its emission where it has any, else its albedo.
 Spectrum look_of(const PathVertex& vertex, const Hit& hit) {
   const Spectrum emitted =
       hit.light == nullptr ? Spectrum(0.F) : hit.light->emitted({hit.point, Vec3(0.F)}, vertex.wo);
@@ -65,7 +65,7 @@ Sight look(const Scene& scene, SampleSource& source, const Vec2& raster, int max
     if (!end.hit && !end.scattered) {
       return {at_most_one(flight.throughput * sky(scene, flight.ray.direction)), Vec3(0.F)};
     }
-    // As much of what lies behind as is seen of it: radiance alone is denser in glass.
+    // Weighted as the visible part of the background: radiance alone is denser in glass.
     flight.throughput *= std::exchange(flight.roulette_scale, 1.F);
     PathVertex vertex;
     arrive(kWalk, flight, end, 0.0, vertex);

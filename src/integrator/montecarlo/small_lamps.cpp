@@ -13,7 +13,7 @@ namespace ajar {
 
 namespace {
 
-/// Whether a ray that leaves `vertex` at random comes to `lamp` through clear things alone.
+/// True if a ray that leaves `vertex` at random comes to `lamp` through specular surfaces alone.
 bool comes_to(const Endpoint& lamp, const Scene& scene, PathVertex vertex, int max_depth,
               SampleSource& source) {
   const WalkSettings walk{.mode = TransportMode::Radiance,

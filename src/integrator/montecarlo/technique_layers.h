@@ -7,11 +7,10 @@
 
 namespace ajar {
 
-/// The pyramid of techniques (AOV "techniques"): for each technique a picture of what it
-/// contributes after MIS weighting, `techniques.weighted.sXtY`, which add up to the picture, and of
-/// what it would show alone, `techniques.unweighted.sXtY`, which is right wherever the technique
-/// reaches. Paths of up to `kMaxDepth` edges.
-/// Source: Veach 1997, figure 10.2.
+/// The pyramid of techniques (AOV "techniques"): for each technique a picture of its contribution
+/// after MIS weighting, `techniques.weighted.sXtY`, which add up to the picture, and of its
+/// unweighted estimate, `techniques.unweighted.sXtY`, which is right wherever the technique
+/// reaches. Paths of up to `kMaxDepth` edges. Source: Veach 1997, figure 10.2.
 class TechniqueLayers {
  public:
   static constexpr int kMaxDepth = 6;

@@ -7,19 +7,19 @@
 
 namespace ajar {
 
-/// How noise becomes the binary map σ of `selective`; the defaults are those published.
+/// Conversion of noise to the binary map σ of `selective`; the defaults are those published.
 struct RegionMapSettings {
-  int window = 3;          ///< of the noise: 3 or 5 pixels
+  int window = 3;          ///< window of the noise: 3 or 5 pixels
   float threshold = 0.5F;  ///< T: noise from here on asks for chains
   float epsilon = 0.1F;    ///< ε: σ where no chains are needed; above 0 ties both halves together
 };
 
 /// The noise of a region, of its pixels at or above T alone; all are 0 if there are none.
 struct RegionNoise {
-  std::uint32_t pixels = 0;  ///< how many there are
+  std::uint32_t pixels = 0;  ///< number of pixels
   float mean = 0.F;
   float largest = 0.F;
-  /// What the region is filled with: ½(mean + largest).
+  /// Value that fills the region: ½(mean + largest).
   float fill() const { return 0.5F * (mean + largest); }
 };
 

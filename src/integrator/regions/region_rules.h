@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 
-/// What the user says about who renders what (Frolov's "manual fill"), by the names of
-/// objects and materials:
+/// The user's assignment of regions to methods (Frolov's "manual fill"), by the names of objects
+/// and materials:
 ///
 ///     # the lamps are hard, the walls are not
 ///     object   lamp*         chain
@@ -24,7 +24,7 @@ namespace ajar {
 struct RegionRule {
   enum class Subject { Object, Material };
   enum class Choice {
-    Auto,   ///< what is measured decides
+    Auto,   ///< decided by measurement
     Omc,    ///< ordinary Monte Carlo: σ = ε
     Chain,  ///< Markov chains: σ = 1
     Weight  ///< σ = weight
@@ -33,7 +33,7 @@ struct RegionRule {
   std::string pattern;
   Choice choice = Choice::Auto;
   float weight = 0.F;    ///< in [0, 1], for `Choice::Weight`
-  SourceLocation where;  ///< of the pattern
+  SourceLocation where;  ///< place of the pattern
 };
 
 /// The rules of a text; `file` is what error messages call it. Raises SceneError with the place of
@@ -44,7 +44,7 @@ std::vector<RegionRule> parse_region_rules(std::string_view text, const std::str
 void check_region_rules(std::span<const RegionRule> rules, std::span<const std::string> objects,
                         std::span<const std::string> materials);
 
-/// Whether `*` in `pattern` can be filled in such that it equals `name`.
+/// True if `*` in `pattern` can be filled in such that it equals `name`.
 bool matches_pattern(std::string_view pattern, std::string_view name);
 
 /// The rule that holds for a region; null if none does, which is the same as `Choice::Auto`.

@@ -8,7 +8,7 @@
 
 namespace ajar {
 
-/// What the first surfaces of a picture's pixels are like, row by row.
+/// Properties of the first surfaces of a picture's pixels, row by row.
 struct SurfacePicture {
   Vec2i size{0, 0};
   std::span<const PixelIdentity> identities;  ///< one per pixel
@@ -16,7 +16,7 @@ struct SurfacePicture {
   std::span<const float> normals{};  ///< three per pixel, of any length; or none
 };
 
-/// How different neighbours are where an edge counts as whole; below, it fades in linearly.
+/// Difference of neighbours at which an edge has full weight; below, it fades in linearly.
 struct EdgeLimits {
   float depth_step = RegionHeuristics::kDepthStep;      ///< relative to the nearer of the two
   float normal_angle = RegionHeuristics::kNormalAngle;  ///< radians
@@ -29,9 +29,9 @@ struct EdgeLimits {
 /// normals without a direction tell nothing. Raises std::invalid_argument if sizes do not fit or a
 /// limit is not positive.
 ///
-/// This is the hint that the antialiasing of `selective` takes from the G-buffer (Frolov,
-/// "Selective application of Metropolis Light Transport for hard sampling illumination phenomena"),
-/// who does not say how it is made.
+/// Hint from the G-buffer for the antialiasing of `selective` (Frolov, "Selective application of
+/// Metropolis Light Transport for hard sampling illumination phenomena"), who does not publish its
+/// construction.
 Plane surface_edges(const SurfacePicture& picture, const EdgeLimits& limits = {});
 
 /// The edges at which a map (σ) takes a step, that is, has another value in a neighbour above,

@@ -59,7 +59,7 @@ TEST(SurfaceEdges, GrowWithTheRelativeStepOfDepth) {
 TEST(SurfaceEdges, GrowWithTheAngleBetweenNormals) {
   const auto identities = objects({1, 1, 1, 1});
   const float angle = 0.175F;
-  // Of different lengths, as means of several samples are.
+  // Normals of different lengths, as means of several samples are.
   const Values normals = {0, 0,  1, 0, 0, 0.5F, 0.7F * std::sin(angle), 0, 0.7F * std::cos(angle),
                           0, -1, 0};
   const Plane edges =

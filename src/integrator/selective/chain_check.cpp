@@ -22,27 +22,25 @@ bool is_sum(double value) { return value >= 0.0 && std::isfinite(value); }
 
 }  // namespace
 
-void check_population(const ChainPopulation& population, const ChainPlan& plan,
+void check_population(const ChainPopulation& population, const SelectivePreparation& prepared,
                       std::uint64_t samples) {
-  const auto replicates = static_cast<std::uint64_t>(plan.settings.replicates);
+  const auto replicates = static_cast<std::uint64_t>(prepared.config.settings.replicates);
   // A pass that was cut short may have come as far as this; each sample has a step at least.
   const auto passes = static_cast<double>(milestone_after(samples, replicates));
   const double most_steps =
-      passes * (1.0 + std::max(plan.mutations, SelectiveHeuristics::kMostMutations) *
-                          static_cast<double>(plan.pixels()));
-  const PathGroup& group = plan.groups[population.group];
+      passes * (1.0 + std::max(prepared.mutations, SelectiveHeuristics::kMostMutations) *
+                          static_cast<double>(prepared.pixels()));
+  const PathGroup& group = prepared.groups()[population.group];
   check_record(population.retired, group, moves_of(group).size());
-  check_record({population.plain_statistics, {}}, group);
   constexpr double kMostSamples = 0x1p63;
   require(population.samples_behind >= 0.0 && population.samples_behind < kMostSamples,
-          "chains stand for samples that cannot be");
-  if (const auto& joined = population.joined) {
-    require(is_sum(joined->b) && is_sum(joined->variance) && is_sum(joined->of_recruits) &&
-                is_sum(joined->of_chains) && (joined->b > 0.0 || population.chains.empty()),
-            "the brightness of chains cannot be");
-  }
+          "corrupt checkpoint: invalid sample count");
+  const ChainPopulation::Brightness& b = population.b;
+  require(is_sum(b.total) && is_sum(b.variance) && is_sum(b.per_seed) && is_sum(b.of_chains) &&
+              (b.total > 0.0 || population.chains.empty()),
+          "corrupt checkpoint: invalid brightness of chains");
   parallel_for(population.chains.size(), [&](std::size_t i) {
-    check_chain(plan, population, population.chains[i], most_steps);
+    check_chain(prepared, population, population.chains[i], most_steps);
   });
 }
 

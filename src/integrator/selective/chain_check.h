@@ -1,15 +1,15 @@
 #pragma once
 #include <cstdint>
 
-#include "integrator/selective/chain_plan.h"
 #include "integrator/selective/chain_population.h"
+#include "integrator/selective/preparation.h"
 
 namespace ajar {
 
 /// Whether chains can have come out of a render with this plan after `samples` samples per pixel,
 /// so that they can go on: also whether each is at a state that its target knows. Raises
 /// std::runtime_error. For what is read from an archive.
-void check_population(const ChainPopulation& population, const ChainPlan& plan,
+void check_population(const ChainPopulation& population, const SelectivePreparation& prepared,
                       std::uint64_t samples);
 
 }  // namespace ajar

@@ -21,13 +21,6 @@ struct SelectiveHeuristics {
   /// Unit: brightness. Range: > the last of kThresholds. Source: docs/notebook/selective.md, "How":
   /// without it, up to 10, torus-in-glass has 1/0.98 of error and FLIP.
   static constexpr double kHighestThreshold = 30.0;
-  /// Those where nothing found can seed chains (`pssmlt`), whose worth is not tried.
-  /// Unit: brightness. Range: > 0, ascending. Source: set by hand, no study.
-  static constexpr std::array<double, 4> kThresholdsOfWholePaths = {1.0, 3.0, 10.0, 30.0};
-  /// The one of `pssmlt+`, which does not choose.
-  /// Unit: brightness. Range: > 0. Source: the first fixed split ("about ten times the pixel's
-  /// brightness", c25bd63); no study since.
-  static constexpr double kThresholdOfWholePaths = 10.0;
   /// Multiples of a threshold that the user gives, from which regions may choose.
   /// Unit: factor. Range: >= 1, ascending, the first 1. Source: set by hand, no study.
   static constexpr std::array<double, 3> kThresholdsOverGiven = {1.0, 3.0, 10.0};
@@ -43,13 +36,13 @@ struct SelectiveHeuristics {
   /// Unit: brightness. Range: > kHighestThreshold. Source: docs/notebook/selective.md, "Whether
   /// chains pay": efficiency with 30, 100 and 1000 is 5.8, 5.8 and 2.1 on torus-in-glass, 169, 173
   /// and 176 on cornell; "Constants".
-  static constexpr double kWhite = 100.0;
+  static constexpr double kDisplayWhite = 100.0;
   /// For how much a path counts where it is asked whether chains that stand by would be idle. Of
   /// light that is found in one sample of ten thousand, a pilot sees one or two paths. They are far
   /// brighter than white, and keep such chains busy.
-  /// Unit: brightness. Range: > kWhite. Source: with kWhite instead, one of eight seeds of
-  /// torus-in-glass at 48x36 pixels has nothing difficult in it.
-  static constexpr double kGlaring = 1000.0;
+  /// Unit: brightness. Range: > kDisplayWhite. Source: with kDisplayWhite instead, one of eight
+  /// seeds of torus-in-glass at 48x36 pixels has nothing difficult in it.
+  static constexpr double kFireflyClamp = 1000.0;
 
   // -------------------------------------------------------- how clear a gain has to be
   //
@@ -127,7 +120,7 @@ struct SelectiveHeuristics {
   static constexpr double kUsualPrice = 0.3;
   // -------------------------------------------------------- pilot of the division
   /// Camera samples of a whole picture that tell enough about it: a small picture tells as much as
-  /// others by more samples of each pixel. Of mmlt+, the default of `bootstrap`.
+  /// others by more samples of each pixel.
   /// Unit: samples. Range: > 0. Source: 1e1ec69, with the bounds that follow: with 4 per pixel at
   /// 96x72, halves on torus-in-glass expect 0.4 to 1.3 of chains, with 12 (as many as there are
   /// now, rounded to replicates) 0.3 to 0.6.
@@ -136,15 +129,11 @@ struct SelectiveHeuristics {
   static constexpr std::uint64_t kFewestOfPixel = 4;
   /// Unit: samples per pixel. Range: >= kFewestOfPixel. Source: the same; double not measured.
   static constexpr std::uint64_t kMostOfPixel = 16;
-  /// For the published binary map.
-  /// Unit: samples per pixel. Range: >= 2. Source: docs/methods/selective.md, "Parameters"; set by
-  /// hand, no study.
-  static constexpr std::uint64_t kPilotSamplesOfBinary = 16;
   /// Paths that carry less are kept now and then only. What is drawn by lot is noise in the few
   /// samples of a pilot. So fine a grain keeps about one path per sample.
   /// Unit: brightness. Range: > 0. Source: 3ed3aa3: at 1, the lot is a third of the variance on
   /// cornell-box.
-  static constexpr double kGrain = 0.25;
+  static constexpr double kPilotRoulette = 0.25;
   /// Regions with fewer bright paths choose together with others of their material, or with all:
   /// their choice would follow the pilot's noise.
   /// Unit: paths (kBright). Range: > 0. Source: 771f36f; half and double not measured.
@@ -168,16 +157,12 @@ struct SelectiveHeuristics {
   /// Unit: factor. Range: >= 1. Source: docs/notebook/selective.md, "Without a trial of chains":
   /// about 2 for the first, 2 for the second, 2.5 (C through 3x3 pixels) for the third. With 4, the
   /// halves of one render in eight of door-ajar disagree.
-  static constexpr double kDoubt = 8.0;
+  static constexpr double kCostFactor = 8.0;
 
   // -------------------------------------------------------- what things cost before it is measured
   /// Unit: rays. Range: > 0. Source: docs/notebook/chains.md, "Steps, and what they are worth": 4.3
   /// to 5.3 on door-ajar.
   static constexpr double kRaysPerMutation = 4.5;
-  /// One technique of a path has about half the rays of all of them: a mutation, or a sample of a
-  /// bootstrap.
-  /// Unit: camera samples. Range: > 0. Source: an estimate, for the time of a preparation only.
-  static constexpr double kEffortOfOnePath = 0.5;
   /// Tries of manifold connections, by which chains of explicit paths are found.
   /// Unit: per camera sample. Range: > 0. Source: docs/notebook/mutations.md, "How many manifold
   /// connections are tried".
@@ -185,18 +170,6 @@ struct SelectiveHeuristics {
   /// The part of a camera sample's rays that one light subpath has.
   /// Unit: share. Range: (0, 1). Source: an estimate, for the time of a preparation only.
   static constexpr double kEffortOfLight = 0.5;
-  /// Camera rays alone that cost as much as one camera sample.
-  /// Unit: rays. Range: >= 1. Source: an estimate, for the time of a preparation only.
-  static constexpr double kCameraRaysOfSample = 10.0;
-
-  // -------------------------------------------------------- bootstrap, where nothing else seeds
-  /// Unit: paths. Range: >= 1000. Source: docs/methods/divided-light.md; 4ff4f9a.
-  /// docs/notebook/selective.md, "The published order": five times as many do not help chains alone
-  /// on torus-in-glass.
-  static constexpr std::uint64_t kBootstrapPaths = 200000;
-  /// In larger pictures.
-  /// Unit: paths per pixel. Range: > 0. Source: the same.
-  static constexpr std::uint64_t kBootstrapOfPixel = 4;
 
   // -------------------------------------------------------- number of chains
   //
@@ -209,10 +182,7 @@ struct SelectiveHeuristics {
   /// chains FLIP is 0.258 instead of 0.264 on pool, 0.070 instead of 0.066 on torus-in-glass; with
   /// about twice as many 0.282 to 0.298 and 0.064 to 0.065. Finished pictures are alike within a
   /// quarter and four times as many (docs/notebook/selective.md, "Tried and left").
-  static constexpr std::uint64_t kStepsOfRecruit = 144;
-  /// The same without recruits.
-  /// Unit: steps. Range: >= 1. Source: docs/notebook/chains.md, "Recruits": it hardly matters.
-  static constexpr std::uint64_t kStepsOfSeed = 16;
+  static constexpr std::uint64_t kStepsOfChain = 144;
   /// Unit: chains of a replicate. Range: >= 1. Source: 9a8cb07: two depended on luck. The value has
   /// no study.
   static constexpr std::uint64_t kFewestChains = 32;
@@ -250,6 +220,14 @@ struct SelectiveHeuristics {
   static constexpr std::size_t kSeenThrough = 3;
 
   // -------------------------------------------------------- how chains move
+  /// Probability of a step that makes the whole path afresh.
+  /// Unit: probability. Range: (0, 1]. Source: docs/notebook/chains.md, "Steps, and what they are
+  /// worth": seeds are joined all the time, so few are needed.
+  static constexpr double kLargeSteps = 0.1;
+  /// Share of the other steps that have 1/8 or 1/64 of their length, for light that is found in
+  /// narrow places.
+  /// Unit: share. Range: [0, 1]. Source: docs/notebook/chains.md, "Steps, and what they are worth".
+  static constexpr double kFineSteps = 0.2;
   /// Share of small steps that move the place on the picture alone, where `raster-steps` is auto.
   /// Unit: share. Range: [0, 1]. Source: docs/notebook/chains.md, "Steps, and what they are worth":
   /// 0.5 and 0.9 are worse by a few percent on pool and level on torus-in-glass.
@@ -262,22 +240,12 @@ struct SelectiveHeuristics {
   /// Threshold up to which that is so.
   /// Unit: brightness. Range: >= 0. Source: the same; a value of kThresholds.
   static constexpr double kNearlyAllLight = 0.3;
-  /// Of a depth without seeds, the independent paths: so many of the replicate's mutations, if it
-  /// has chains.
-  /// Unit: share. Range: (0, 1]. Source: c345e65; set by hand, no study.
-  static constexpr double kShareWithoutSeeds = 0.125;
-  /// Length of the chain that spreads what one of them carries (Cline et al. 2005).
-  /// Unit: steps. Range: >= 1. Source: c25bd63; set by hand, no study.
-  static constexpr std::uint64_t kStepsWithoutSeed = 64;
 
   // -------------------------------------------------------- what is told, and decides nothing
   /// Squares of the picture over which the share of chains is averaged. Over the whole, fireflies
   /// of the pilot would make it 100 % of pool.
   /// Unit: pixels across. Range: >= 1. Source: 5efbc33; half and double not measured.
   static constexpr int kShareCell = 16;
-  /// The largest regions, in statistics.
-  /// Unit: regions. Range: >= 1. Source: set by hand.
-  static constexpr std::size_t kMostRegionsTold = 200;
 };
 
 }  // namespace ajar

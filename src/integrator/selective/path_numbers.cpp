@@ -7,7 +7,7 @@
 
 namespace ajar {
 
-PathNumbers::PathNumbers(SampleSource& source, const StrongPath& path) {
+PathNumbers::PathNumbers(SampleSource& source, const OutlierPath& path) {
   const auto record = [&](Stream stream, int vertices, int repeat) {
     for (int vertex = 0; vertex < vertices; ++vertex) {
       for (std::size_t slot = 0; slot < kBlockSize; ++slot) {
@@ -20,7 +20,7 @@ PathNumbers::PathNumbers(SampleSource& source, const StrongPath& path) {
   record(Stream::Light, path.technique.s, path.light_subpath);
 }
 
-bool PathNumbers::fit(const StrongPath& path) const {
+bool PathNumbers::fit(const OutlierPath& path) const {
   const auto [s, t] = path.technique;
   return s >= 0 && t >= 0 &&
          numbers_.size() ==
@@ -29,8 +29,8 @@ bool PathNumbers::fit(const StrongPath& path) const {
                      [](float number) { return number >= 0.F && number < 1.F; });
 }
 
-PrimaryChain PathNumbers::start_chain(const ChainPlan& plan, const PathGroup& group,
-                                      const StrongPath& path) const {
+PrimaryChain PathNumbers::start_chain(const SelectivePreparation& prepared, const PathGroup& group,
+                                      const OutlierPath& path) const {
   PrimaryChain chain(group.shape, hash_numbers(path.key(), RandomUse::Chain), path.key(), 0.0);
   ChainNumbers& to = chain.numbers;
   auto from = numbers_.begin();
@@ -46,7 +46,7 @@ PrimaryChain PathNumbers::start_chain(const ChainPlan& plan, const PathGroup& gr
   copy(Stream::Light, path.technique.s);
   if (path.technique.t > 1) {
     const auto camera = to.block(to.block_of({Stream::Camera, 0, kEmissionDirection}));
-    const Vec2 u = plan.view.place(path.raster);
+    const Vec2 u = prepared.view.place(path.raster);
     camera[static_cast<std::size_t>(kEmissionDirection)] = u.x;
     camera[static_cast<std::size_t>(kEmissionDirection) + 1] = u.y;
   }

@@ -25,9 +25,10 @@ constexpr std::uint64_t kPairs = SelectiveHeuristics::kPairsOfItem;
 class RoulettePilot::Sink final : public PathSink {
  public:
   /// `light_subpaths`: per camera sample, of those that are traced alone.
-  Sink(const ChainPlan& plan, const PathSampler& sampler, double light_subpaths, Sums& sums)
-      : view_(plan.view),
-        brightness_(plan.brightness),
+  Sink(const SelectivePreparation& prepared, const PathSampler& sampler, double light_subpaths,
+       Sums& sums)
+      : view_(prepared.view),
+        brightness_(prepared.brightness),
         sampler_(sampler),
         light_subpaths_(light_subpaths),
         sums_(sums) {}
@@ -91,40 +92,36 @@ class RoulettePilot::Sink final : public PathSink {
   std::vector<Departure> departures_;
 };
 
-RoulettePilot::RoulettePilot(ChainPlan& plan) : plan_(plan) {}
+RoulettePilot::RoulettePilot(const SelectivePreparation& prepared) : prepared_(prepared) {}
 
 double RoulettePilot::effort() const {
-  return static_cast<double>(2 * kItems * kPairs) / static_cast<double>(plan_.pixels());
+  return static_cast<double>(2 * kItems * kPairs) / static_cast<double>(prepared_.pixels());
 }
 
 std::uint64_t RoulettePilot::begin() {
-  if (!(plan_.brightness > 0.0)) return 0;
-  RenderSettings settings = plan_.settings;
-  // To the longest, though it may yet be open how their light is to be divided.
-  settings.min_depth = plan_.omc_depths().first;
-  if (settings.min_depth > settings.max_depth) return 0;
-  sampler_ = sampler_settings(settings, plan_.omc_parameters());
-  sampler_.camera_rest = static_cast<float>(plan_.brightness);
+  const PathFamilyDefaults& omc = prepared_.techniques.omc;
+  sampler_ = sampler_settings(prepared_.config.settings, SelectivePreparation::omc_parameters(omc));
+  sampler_.camera_rest = static_cast<float>(prepared_.brightness);
   sums_.resize(kItems);
   return kItems;
 }
 
 void RoulettePilot::run(std::uint64_t item, Counters& counters) {
-  PathSampler sampler(plan_.scene, sampler_);
+  PathSampler sampler(prepared_.scene(), sampler_);
   const bool light_is_alone = light_alone(sampler_.techniques);
   const double light_subpaths = light_is_alone ? sampler_.light_subpaths : 1.0;
   Sums& sums = sums_[item];
-  Sink sink(plan_, sampler, light_subpaths, sums);
+  Sink sink(prepared_, sampler, light_subpaths, sums);
   double light_rays = 0.0;
   for (std::uint64_t pair = 0; pair < kPairs; ++pair) {
     const std::uint64_t seed =
-        hash_numbers(plan_.settings.seed, RandomUse::RouletteTrial, item, pair);
+        hash_numbers(prepared_.config.settings.seed, RandomUse::RouletteTrial, item, pair);
     Vec2 raster(0.F, 0.F);
     std::array<double, 2> light{};
     for (std::uint32_t i = 0; i < light.size(); ++i) {
       SobolSource source({seed, i, hash_numbers(seed, RandomUse::RouletteScramble), i});
       if (i == 0) {
-        raster = plan_.view.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+        raster = prepared_.view.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
       }
       sink.begin(raster);
       if (light_is_alone) {
@@ -151,8 +148,8 @@ void RoulettePilot::end() {
     all.taken += sums.taken;
   }
   if (!(all.variance > 0.0 && all.brought > 0.0 && all.taken > 0.0)) return;
-  plan_.ray_price.emplace(plan_.view.importance, std::sqrt(all.variance / all.rays),
-                          std::sqrt(all.brought / all.taken));
+  price_.emplace(prepared_.view.importance, std::sqrt(all.variance / all.rays),
+                 std::sqrt(all.brought / all.taken));
 }
 
 }  // namespace ajar

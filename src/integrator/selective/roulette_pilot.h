@@ -1,8 +1,9 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "integrator/preparation_stage.h"
-#include "integrator/selective/chain_plan.h"
+#include "integrator/selective/preparation.h"
 
 namespace ajar {
 
@@ -19,11 +20,13 @@ namespace ajar {
 /// place by place, from a render that learns as it goes on.
 class RoulettePilot final : public PreparationStage {
  public:
-  explicit RoulettePilot(ChainPlan& plan);
+  explicit RoulettePilot(const SelectivePreparation& prepared);
   double effort() const override;
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
   void end() override;
+  /// After `end`; empty if there was too little light to tell.
+  const std::optional<RayPrice>& price() const { return price_; }
 
  private:
   class Sink;
@@ -34,9 +37,10 @@ class RoulettePilot final : public PreparationStage {
     double taken = 0.0;    ///< β · R
   };
 
-  ChainPlan& plan_;
+  const SelectivePreparation& prepared_;
   PathSamplerSettings sampler_;
   std::vector<Sums> sums_;  ///< of each item
+  std::optional<RayPrice> price_;
 };
 
 }  // namespace ajar

@@ -1,120 +1,477 @@
 #include "integrator/selective/selective.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 
-#include "core/error.h"
-#include "core/meaningless_parameters.h"
-#include "integrator/metropolis/path_space.h"
-#include "integrator/montecarlo/path_family.h"
-#include "integrator/selective/chain_family.h"
-#include "integrator/selective/selective_moves.h"
-#include "integrator/selective/selective_settings.h"
+#include "core/milestones.h"
+#include "image/statistics.h"
+#include "integrator/metropolis/chain_film_sink.h"
+#include "integrator/metropolis/path_seeds.h"
+#include "integrator/regions/region_layers.h"
+#include "integrator/regions/surface_edges.h"
+#include "integrator/selective/adaptive_sampling.h"
+#include "integrator/selective/brightness_pilot.h"
+#include "integrator/selective/chain_archive.h"
+#include "integrator/selective/chain_check.h"
+#include "integrator/selective/chain_scheduler.h"
+#include "integrator/selective/division_pilot.h"
+#include "integrator/selective/report.h"
+#include "integrator/selective/roulette_pilot.h"
+#include "integrator/selective/technique_pilot.h"
+#include "integrator/selective/weighted_errors.h"
 
 namespace ajar {
 
 namespace {
 
-/// Parameters of chains that mean nothing where regions are divided.
-constexpr std::array<std::string_view, 2> kOfNoRegions = {"direct", "omc-samples"};
+/// The method, stage by stage:
+///
+///     brightness   a sample per pixel: the importance map, the scale of thresholds
+///     dark         if that was black: samples with manifold connections
+///     techniques   which techniques ordinary Monte Carlo and chains share, and how many light
+///     paths roulette     the price of a ray surfaces     the regions of the picture division the
+///     first samples of the render: which light is for chains (region_choice.h);
+///                  what they leave to chains seeds these
+///     render       samples and mutations, side by side, in epochs. At the end of each the seeds
+///                  found meanwhile are merged into the chains (SeedReservoir), and effort is
+///                  shared anew (SampleAllocation, AdaptiveSampling).
+class SelectiveIntegrator final : public Integrator {
+ public:
+  SelectiveIntegrator(const Scene& scene, const RenderSettings& settings,
+                      const Parameters& parameters);
 
-bool is_of_no_regions(std::string_view name) {
-  return std::find(kOfNoRegions.begin(), kOfNoRegions.end(), name) != kOfNoRegions.end();
+  PreparationRound begin_preparation(int round) override;
+  void prepare_item(int round, std::uint64_t item, Counters& counters) override;
+  void skip_preparation(Shortage of) override;
+  std::vector<float> take_first_look() override { return std::exchange(first_look_, {}); }
+  Findings findings() const override;
+
+  std::vector<LayerSpec> layers() const override;
+  std::uint64_t items_in_round() const override { return omc_items() + scheduler_.count(); }
+  void begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) override;
+  void run_item(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
+                Counters& counters) override;
+  bool is_of_chains(std::uint64_t item) const override { return item >= omc_items(); }
+  DevelopScale develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                             std::optional<int> replicate) const override;
+  MethodReport report() const override { return report_on(status()); }
+
+  bool keeps_state() const override { return !populations_.empty() || learns(); }
+  void save_state(OutputArchive& archive) const override;
+  void load_state(InputArchive& archive, std::uint64_t samples) override;
+  void give_news(OutputArchive& archive, const WorkShare& share) override;
+  void take_news(InputArchive& archive, const WorkShare& share) override;
+  std::uint64_t memory_bytes() const override;
+
+ private:
+  /// A stage of the preparation, and what becomes of its result.
+  struct Stage {
+    std::unique_ptr<PreparationStage> run;
+    std::function<void()> take;
+  };
+  template <typename S>
+  void add_stage(std::unique_ptr<S> stage, void (SelectiveIntegrator::*take)(S&));
+
+  void take_brightness(BrightnessPilot& pilot);
+  void take_dark(DarkPilot& pilot);
+  void take_techniques(TechniquePilot& pilot);
+  void take_roulette(RoulettePilot& pilot) { prepared_.ray_price = pilot.price(); }
+  void take_surfaces(SurfacePilot& pilot) { prepared_.surfaces = pilot.take(); }
+  void take_division(DivisionPilot& pilot);
+  /// Mutations per camera sample until errors of the render are known.
+  double first_mutations() const;
+  PreparationRound describe(const PreparationStage& stage, std::uint64_t items) const;
+  void end_preparation();
+  /// Renders without chains.
+  void disable_chains(std::optional<Shortage> shortage);
+  void make_omc();
+
+  /// Whether ordinary Monte Carlo adapts as the render goes on.
+  bool learns() const { return adaptive_ && adaptive_->learns(); }
+  /// Shares effort anew by the errors that replicates show after `samples` samples.
+  void share_effort(std::uint64_t samples, const Film& film);
+  void begin_epoch();
+  void end_epoch(const Film& film);
+  /// b over all replicates; 1 if it is not known.
+  double brightness_of_chains() const;
+  std::uint64_t omc_items() const { return omc_->items_in_round(); }
+  SelectiveStatus status() const {
+    return {prepared_,
+            division_ != nullptr && division_->result() ? &*division_->result() : nullptr,
+            populations_, allocation_, adaptive_.get()};
+  }
+
+  SelectivePreparation prepared_;
+  std::vector<float> first_look_;
+  std::vector<Stage> stages_;
+  std::size_t stage_ = 0;                     ///< that is running
+  DivisionPilot* division_ = nullptr;         ///< one of the stages; null if nothing is divided
+  std::unique_ptr<SeedReservoir> reservoir_;  ///< null if there are no chains
+  std::vector<ChainPopulation> populations_;
+  SampleAllocation allocation_{prepared_};
+  Epoch epoch_;
+  ChainScheduler scheduler_{prepared_, allocation_, populations_, epoch_};
+  std::unique_ptr<AdaptiveSampling> adaptive_;
+  std::unique_ptr<Integrator> omc_;
+  std::uint64_t doubled_at_ = 0;  ///< samples per pixel
+};
+
+// ---------------------------------------------------------------- stages
+
+SelectiveIntegrator::SelectiveIntegrator(const Scene& scene, const RenderSettings& settings,
+                                         const Parameters& parameters)
+    : prepared_(SelectiveConfig(scene, settings, parameters)) {
+  if (!prepared_.config.has_long_paths() || prepared_.groups().empty()) {
+    disable_chains(std::nullopt);
+    return;
+  }
+  reservoir_ = std::make_unique<SeedReservoir>(prepared_);
+  add_stage(std::make_unique<BrightnessPilot>(prepared_), &SelectiveIntegrator::take_brightness);
+  add_stage(std::make_unique<DarkPilot>(prepared_), &SelectiveIntegrator::take_dark);
+  for (std::unique_ptr<TechniquePilot>& pilot : TechniquePilot::make_all(prepared_)) {
+    add_stage(std::move(pilot), &SelectiveIntegrator::take_techniques);
+  }
+  if (prepared_.config.efficient_roulette) {
+    add_stage(std::make_unique<RoulettePilot>(prepared_), &SelectiveIntegrator::take_roulette);
+  }
+  add_stage(std::make_unique<SurfacePilot>(scene, prepared_.config.omc_settings()),
+            &SelectiveIntegrator::take_surfaces);
+  auto division = std::make_unique<DivisionPilot>(prepared_, *reservoir_);
+  division_ = division.get();
+  add_stage(std::move(division), &SelectiveIntegrator::take_division);
 }
 
-/// Parameters of chains that are left to a pilot unless the user knows better. That is a value of
-/// theirs, since a checkpoint keeps values and not who gave them.
-const std::array<std::string, 2> kOpen = {"techniques", kLightPathsPerPixel};
-
-bool can_be_open(const std::string& name) {
-  return std::find(kOpen.begin(), kOpen.end(), name) != kOpen.end();
+template <typename S>
+void SelectiveIntegrator::add_stage(std::unique_ptr<S> stage,
+                                    void (SelectiveIntegrator::*take)(S&)) {
+  S& own = *stage;
+  stages_.push_back({std::move(stage), [this, take, &own] { (this->*take)(own); }});
 }
 
-void leave_open(ParameterSpec& spec) {
-  spec.default_value = SelectiveSettings::kOpen;
-  if (spec.type != ParameterType::Text) spec.choices = {SelectiveSettings::kOpen};
-  spec.help += "; auto: as omc has it";
+void SelectiveIntegrator::take_brightness(BrightnessPilot& pilot) {
+  BrightnessPilot::Result result = pilot.take();
+  prepared_.brightness = result.brightness;
+  prepared_.view.importance = std::move(result.importance);
+  prepared_.scale = result.scale;
+  first_look_ = std::move(result.first_look);
 }
 
-ChainKind chain_kind(const Parameters& parameters) {
-  const std::string& chain = parameters.get_text("chain");
-  if (chain == "mlt") return ChainKind::ExplicitPath;
-  if (chain == "erpt") return ChainKind::SpreadPath;
-  if (chain == "pssmlt") return ChainKind::WholePath;
-  return chain == "mmlt" ? ChainKind::OnePath : ChainKind::ByPath;
+void SelectiveIntegrator::take_dark(DarkPilot& pilot) {
+  if (!(prepared_.brightness > 0.0)) prepared_.brightness = pilot.brightness();
+  if (prepared_.brightness > 0.0) {
+    prepared_.divisions.emplace(Division(prepared_.lowest_threshold(), prepared_.view.importance));
+  } else {
+    disable_chains(std::nullopt);
+  }
 }
 
-bool has(std::span<const ParameterSpec> specs, const std::string& name) {
-  return std::any_of(specs.begin(), specs.end(),
-                     [&](const ParameterSpec& spec) { return spec.name == name; });
+void SelectiveIntegrator::take_techniques(TechniquePilot& pilot) {
+  if (pilot.chosen()) {
+    prepared_.techniques = choose_techniques(prepared_.config, *pilot.chosen());
+  }
 }
 
-/// Parameters of one kind of chains mean nothing for others: how numbers move, and which samples
-/// of a bootstrap are seeds, for explicit paths; how these do, for numbers.
-void limit_to_chains(ParameterSpec& spec) {
-  const bool of_numbers =
-      has(SelectiveMoves::parameters(), spec.name) || spec.name.starts_with("seed");
-  const bool of_paths = has(path_mutation_parameters(), spec.name);
-  if (!of_numbers && !of_paths) return;
-  spec.depends_on = "chain";
-  spec.matters_for = of_paths ? std::vector<std::string>{"auto", "mlt", "erpt"}
-                              : std::vector<std::string>{"auto", "mmlt", "pssmlt"};
+void SelectiveIntegrator::take_division(DivisionPilot& pilot) {
+  const DivisionResult& result = *pilot.result();
+  const Divisions before = *std::exchange(prepared_.divisions, result.divisions);
+  reservoir_->divide_anew(before);
+  prepared_.fireflies_only = result.fireflies_only;
+  prepared_.mutations = result.divisions.take_nothing() ? 0.0 : clamp_mutations(first_mutations());
+  if (pilot.stays()) prepared_.pilot_kept = result.samples;
+  prepared_.pilot_tried = result.samples * prepared_.pixels();
+  populations_ = make_populations<ChainPopulation>(
+      prepared_.groups(), prepared_.config.settings.replicates, prepared_.config.settings.seed);
+  if (pilot.stays()) {
+    reservoir_->merge(populations_, 0, result.samples);
+  } else {
+    reservoir_->merge_unassigned(populations_, pilot.seeding_samples());
+  }
 }
 
-bool divides_regions(const Parameters& parameters) {
-  return parameters.get_text("division") == "regions";
+double SelectiveIntegrator::first_mutations() const {
+  const double light = reservoir_->energy() / division_->seeding_samples();
+  return SelectiveHeuristics::kExpectedMutations * std::min(1.0, light / prepared_.brightness);
+}
+
+PreparationRound SelectiveIntegrator::begin_preparation(int round) {
+  const auto end_stage = [this] {
+    Stage& stage = stages_[stage_++];
+    stage.run->end();
+    const auto take = stage.take;
+    take();
+  };
+  if (round > 0 && stage_ < stages_.size()) end_stage();
+  while (stage_ < stages_.size() && division_ != nullptr) {
+    const std::uint64_t items = stages_[stage_].run->begin();
+    if (items > 0) return describe(*stages_[stage_].run, items);
+    end_stage();
+  }
+  if (division_ != nullptr) end_preparation();
+  return {};
+}
+
+PreparationRound SelectiveIntegrator::describe(const PreparationStage& stage,
+                                               std::uint64_t items) const {
+  PreparationRound round{
+      .items = items,
+      .effort = stage.effort(),
+      .stays = stage.stays(),
+      .serves_alone = stage.serves_alone(),
+      .sample_effort = effort_with(prepared_.techniques.omc.light_paths_per_pixel)};
+  for (std::size_t i = stage_ + 1; i < stages_.size(); ++i) {
+    const PreparationStage& later = *stages_[i].run;
+    round.later_effort += later.effort();
+    if (later.stays()) round.later_stays += later.effort();
+  }
+  return round;
+}
+
+void SelectiveIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counters& counters) {
+  stages_[stage_].run->run(item, counters);
+}
+
+void SelectiveIntegrator::skip_preparation(Shortage of) {
+  if (division_ != nullptr) disable_chains(of);
+}
+
+/// A pilot that is over stays in the picture if it may.
+void SelectiveIntegrator::disable_chains(std::optional<Shortage> shortage) {
+  const bool is_kept = division_ != nullptr && division_->result() && division_->stays();
+  prepared_.shortage = shortage;
+  prepared_.ray_price.reset();
+  // The sums that are kept are in its units.
+  if (!is_kept) prepared_.scale.reset();
+  prepared_.mutations = 0.0;
+  prepared_.pilot_kept = is_kept ? division_->result()->samples : 0;
+  if (prepared_.config.has_long_paths()) {
+    prepared_.divisions.emplace(Division(prepared_.config.settings.crop,
+                                         {{.threshold = 0.F, .target = 0.F, .kept = 0.F}},
+                                         prepared_.view.importance));
+  }
+  // The running stage is one of them.
+  if (!is_kept) division_ = nullptr;
+  stage_ = stages_.size();
+  reservoir_.reset();
+  populations_.clear();
+  make_omc();
+}
+
+void SelectiveIntegrator::end_preparation() {
+  if (prepared_.mutations == 0.0) {
+    reservoir_.reset();
+    populations_.clear();
+  }
+  make_omc();
+  scheduler_.list();
+  if (reservoir_) begin_epoch();
+}
+
+void SelectiveIntegrator::make_omc() {
+  const RenderSettings settings = prepared_.config.omc_settings();
+  const bool has_chains = reservoir_ != nullptr;
+  adaptive_ = std::make_unique<AdaptiveSampling>(prepared_, settings);
+  PathIntegratorContext context{
+      .divisions = prepared_.divisions ? &*prepared_.divisions : nullptr,
+      .strong = reservoir_.get(),
+      .joins_by_manifolds = has_chains && PathSeeds::any_has_manifolds(prepared_.groups())};
+  adaptive_->tell(context);
+  omc_ = prepared_.make_omc(prepared_.techniques.omc, settings, context);
+}
+
+Findings SelectiveIntegrator::findings() const {
+  Findings found = omc_->findings();
+  const SelectiveStatus now = status();
+  const bool is_divided = now.division != nullptr;
+  if (!prepared_.groups().empty()) found.notes = notes_on(now);
+  if (!is_divided) {
+    found.maps =
+        black_region_layers(prepared_.config.settings.aovs, prepared_.config.settings.crop);
+    return found;
+  }
+  const Plane importance = chain_importance(prepared_);
+  found.maps = region_layers(prepared_.config.settings.aovs, prepared_.surfaces,
+                             now.division->noise, importance);
+  if (prepared_.config.antialias) {
+    found.antialias_mask = edges_of_map(prepared_.surfaces.edges, importance);
+  }
+  return found;
+}
+
+// ---------------------------------------------------------------- render
+
+double SelectiveIntegrator::brightness_of_chains() const {
+  double b = 0.0;
+  for (const ChainPopulation& population : populations_) b += population.b.total;
+  b /= prepared_.config.settings.replicates;
+  return b > 0.0 && std::isfinite(b) ? b : 1.0;
+}
+
+std::vector<LayerSpec> SelectiveIntegrator::layers() const {
+  std::vector<LayerSpec> specs = omc_->layers();
+  for (LayerSpec& spec : specs) {
+    if (spec.name == "indirect" || spec.box_of == "indirect") {
+      spec.magnitude = brightness_of_chains();
+    }
+  }
+  add_chain_layers(specs, prepared_.config.settings.aovs);
+  return specs;
+}
+
+/// Seeds join and effort is shared at counts fixed in advance, which passes do not cross (see
+/// `PassSchedule`): where passes end otherwise is up to the clock, and must not change the picture.
+void SelectiveIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t samples,
+                                     Film& film) {
+  if (first_sample == 0 && division_ != nullptr) division_->hand_over(film);
+  if (reservoir_) {
+    reservoir_->advance(populations_, allocation_.omc_samples(epoch_.begin()),
+                        allocation_.omc_samples(first_sample),
+                        allocation_.omc_samples(epoch_.end()));
+    if (first_sample >= epoch_.end()) end_epoch(film);
+    if (first_sample + samples > epoch_.end()) {
+      throw std::logic_error("bug: a pass crosses a milestone");
+    }
+    return;
+  }
+  const std::uint64_t milestone =
+      last_doubling(first_sample, static_cast<std::uint64_t>(prepared_.config.settings.replicates));
+  if (milestone <= doubled_at_) return;
+  doubled_at_ = milestone;
+  share_effort(first_sample, film);
+}
+
+void SelectiveIntegrator::end_epoch(const Film& film) {
+  reservoir_->merge(populations_, allocation_.omc_samples(epoch_.begin()),
+                    allocation_.omc_samples(epoch_.end()));
+  scheduler_.list();
+  share_effort(epoch_.end(), film);
+  begin_epoch();
+}
+
+void SelectiveIntegrator::begin_epoch() {
+  const auto replicates = static_cast<std::uint64_t>(prepared_.config.settings.replicates);
+  epoch_.go_on(milestone_after(epoch_.end(), replicates),
+               populations_.front().samples_behind / static_cast<double>(prepared_.pixels()));
+  reservoir_->set_rate(populations_, static_cast<double>(allocation_.omc_samples(epoch_.end()) -
+                                                         allocation_.omc_samples(epoch_.begin())));
+}
+
+void SelectiveIntegrator::share_effort(std::uint64_t samples, const Film& film) {
+  const bool shares = allocation_.can_adjust();
+  if (film.replicates() < 2 || !(shares || learns())) return;
+  const auto pictures = [&](std::initializer_list<std::string> names) {
+    return develop_layers(film, *this, samples, names);
+  };
+  const auto guesses = [&](const std::string& name) {
+    return film.layer(name) < 0 ? std::vector<float>() : replicate_median(pictures({name}));
+  };
+  const Box2i& crop = prepared_.config.settings.crop;
+  const ImportanceMap& importance = prepared_.view.importance;
+  const Replicates by_omc = pictures({"direct", kWeakLayer});
+  const WeightedErrors of_omc = weighted_errors(by_omc, crop, importance);
+  if (learns()) {
+    SampleRates::Guesses needed;
+    if (adaptive_->needs_guesses()) needed = {guesses("direct"), guesses(kWeakLayer)};
+    adaptive_->adjust(of_omc.variance, std::move(needed), allocation_.omc_samples(samples),
+                      allocation_.rays_per_camera_sample());
+  }
+  if (!shares) return;
+  const Replicates by_chains = pictures({"indirect"});
+  std::optional<SampleAllocation::Seen> seen;
+  if (prepared_.config.objective == SelectiveConfig::Objective::Filtered) {
+    seen = {seen_light(by_omc, crop, importance), seen_light(by_chains, crop, importance)};
+  }
+  allocation_.adjust(samples, of_omc, weighted_errors(by_chains, crop, importance), seen);
+}
+
+void SelectiveIntegrator::run_item(std::uint64_t item, std::uint64_t first_sample,
+                                   std::uint64_t samples, Film& film, Counters& counters) {
+  if (item >= omc_items()) {
+    scheduler_.run(item - omc_items(), first_sample, samples, film, counters);
+    return;
+  }
+  omc_->run_item(item, allocation_.omc_samples(first_sample), samples, film, counters);
+  allocation_.count_omc(counters.rays, counters.samples);
+}
+
+DevelopScale SelectiveIntegrator::develop_scale(const LayerSpec& layer, std::uint64_t samples,
+                                                std::optional<int> replicate) const {
+  if (layer.name == kDensityLayer) {
+    const double mutations = allocation_.mutations(samples);
+    return mutations > 0.0 ? 1.0 / mutations : 0.0;
+  }
+  if (layer.name == kAcceptanceLayer) return samples > 0 ? 1.0 / static_cast<double>(samples) : 0.0;
+  if (layer.name != "indirect" || prepared_.shortage) {
+    return omc_->develop_scale(layer, allocation_.omc_samples(samples), replicate);
+  }
+  if (samples == 0) return 0.0;
+  const double scale = 1.0 / epoch_.weight_until(samples);
+  return replicate ? scale * prepared_.config.settings.replicates : scale;
+}
+
+// ---------------------------------------------------------------- state
+
+void SelectiveIntegrator::save_state(OutputArchive& archive) const {
+  archive(static_cast<std::uint64_t>(populations_.size()), doubled_at_, epoch_);
+  for (const ChainPopulation& population : populations_) {
+    serialize_population(archive, population, prepared_);
+  }
+  allocation_.save_state(archive);
+  adaptive_->save_state(archive);
+  if (reservoir_) reservoir_->save_state(archive);
+}
+
+void SelectiveIntegrator::load_state(InputArchive& archive, std::uint64_t samples) {
+  std::uint64_t populations = 0;
+  archive(populations, doubled_at_, epoch_);
+  if (populations != populations_.size()) {
+    throw std::runtime_error("corrupt checkpoint: number of populations");
+  }
+  const auto replicates = static_cast<std::uint64_t>(prepared_.config.settings.replicates);
+  if (doubled_at_ > samples || !epoch_.can_be_at(samples, reservoir_ ? replicates : 0)) {
+    throw std::runtime_error("corrupt checkpoint: wrong pass");
+  }
+  for (ChainPopulation& population : populations_) {
+    serialize_population(archive, population, prepared_);
+    check_population(population, prepared_, samples);
+  }
+  allocation_.load_state(archive, samples);
+  adaptive_->load_state(archive, allocation_.omc_samples(samples));
+  if (reservoir_) reservoir_->load_state(archive);
+  scheduler_.list();
+}
+
+void SelectiveIntegrator::give_news(OutputArchive& archive, const WorkShare& share) {
+  scheduler_.give_news(archive, share, omc_items());
+  allocation_.give_news(archive);
+  if (reservoir_) reservoir_->give_news(archive);
+}
+
+void SelectiveIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
+  scheduler_.take_news(archive, share, omc_items());
+  allocation_.take_news(archive);
+  if (reservoir_) reservoir_->take_news(archive);
+}
+
+std::uint64_t SelectiveIntegrator::memory_bytes() const {
+  std::uint64_t bytes = adaptive_->memory_bytes();
+  for (const ChainPopulation& population : populations_) {
+    for (const SelectiveChain& member : population.chains) {
+      // There is one seed per chain, on average, which is as large.
+      bytes += 2 * member.memory_bytes() + sizeof(SelectiveChain) - sizeof(member.state);
+    }
+  }
+  return bytes;
 }
 
 }  // namespace
 
-std::vector<ParameterSpec> selective_parameters() {
-  std::vector<ParameterSpec> specs = SelectiveSettings::parameters();
-  // Defaults are shown as mmlt has them.
-  for (const ChainKind kind : {ChainKind::OnePath, ChainKind::ExplicitPath, ChainKind::WholePath}) {
-    for (ParameterSpec& spec : chain_parameters(kind)) {
-      const bool known = has(specs, spec.name);
-      if (can_be_open(spec.name)) leave_open(spec);
-      if (is_of_no_regions(spec.name)) {
-        spec.depends_on = "division";
-        spec.matters_for = {"everywhere"};
-      }
-      limit_to_chains(spec);
-      if (!known) specs.push_back(std::move(spec));
-    }
-  }
-  mark_experts(specs, {"objective", "chain", "techniques", kLightPathsPerPixel, "regions",
-                       "importance", "edges"});
-  return specs;
-}
-
 std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
                                                       const RenderSettings& settings,
                                                       const Parameters& parameters) {
-  refuse_meaningless(selective_parameters(), parameters);
-  const ChainKind kind = chain_kind(parameters);
-  const bool has_light_paths = parameters.get_text(kLightPathsPerPixel) != SelectiveSettings::kOpen;
-  if (has_light_paths && kind == ChainKind::WholePath) {
-    throw UsageError(kLightPathsPerPixel +
-                     ": not with chain=pssmlt, of which a state has one light subpath");
-  }
-  const std::vector<ParameterSpec> specs = chain_parameters(kind);
-  std::map<std::string, std::string> chain;
-  for (const ParameterSpec& spec : specs) {
-    const auto value = parameters.given().find(spec.name);
-    if (value == parameters.given().end()) continue;
-    const bool is_open = can_be_open(spec.name) && value->second == SelectiveSettings::kOpen;
-    if (!is_open) chain[spec.name] = value->second;
-  }
-  std::optional<SelectiveSettings> regions;
-  if (divides_regions(parameters)) {
-    regions = SelectiveSettings::read(parameters, settings);
-    chain.emplace("techniques", regions->techniques);
-  }
-  return make_chain_integrator(kind, scene, settings, Parameters(specs, chain), std::move(regions));
+  return std::make_unique<SelectiveIntegrator>(scene, settings, parameters);
 }
 
 }  // namespace ajar

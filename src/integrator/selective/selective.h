@@ -1,13 +1,14 @@
 #pragma once
+#include <memory>
+
 #include "integrator/integrator.h"
 
 namespace ajar {
 
-std::vector<ParameterSpec> selective_parameters();
-
-/// Ordinary Monte Carlo where it works, Markov chains where it fails (`selective`). A sample is a
-/// camera sample; chains make as many mutations with it as their share of the light deserves, or
-/// none at all. `parameters` as `IntegratorInfo::read` has them, presets included.
+/// Ordinary Monte Carlo where it works, Markov chains where it fails (docs/methods/selective.md). A
+/// sample per pixel is a camera sample, and as many mutations as their part of the light deserves.
+/// `parameters`: `SelectiveConfig::parameters`. Raises UsageError for parameters that cannot be
+/// used, SceneError or IoError for `regions`.
 std::unique_ptr<Integrator> make_selective_integrator(const Scene& scene,
                                                       const RenderSettings& settings,
                                                       const Parameters& parameters);

@@ -5,7 +5,7 @@
 
 namespace ajar {
 
-SelectiveChain SelectiveChain::twin(std::uint64_t number) const {
+SelectiveChain SelectiveChain::clone(std::uint64_t number) const {
   SelectiveChain other{state, {}, weight};
   other.record.by_technique.resize(record.by_technique.size());
   other.chain().seed = hash_numbers(chain().seed, chain().step, number);

@@ -25,8 +25,8 @@ struct SelectiveChain {
   std::uint64_t origin() const {
     return std::visit([](const auto& own) { return own.origin; }, state);
   }
-  /// See `MemberChain::twin`.
-  SelectiveChain twin(std::uint64_t number) const;
+  /// See `MemberChain::clone`.
+  SelectiveChain clone(std::uint64_t number) const;
   /// Without its record.
   std::uint64_t memory_bytes() const;
 };

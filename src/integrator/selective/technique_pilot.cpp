@@ -28,8 +28,8 @@ constexpr std::size_t kUsual = 1;
 constexpr int kReplicates = 4;
 
 /// Of the picture that is rendered with each offer.
-double share_of_picture(const ChainPlan& plan) {
-  const auto pixels = static_cast<double>(plan.pixels());
+double share_of_picture(const SelectiveConfig& config) {
+  const auto pixels = static_cast<double>(config.pixels());
   const double rendered =
       std::clamp(pixels / SelectiveHeuristics::kOnePixelOf, SelectiveHeuristics::kFewestTrialPixels,
                  SelectiveHeuristics::kMostTrialPixels);
@@ -39,14 +39,13 @@ double share_of_picture(const ChainPlan& plan) {
 }  // namespace
 
 /// Ordinary Monte Carlo with one of the offers.
-class TechniquePilot::Candidate final : public StrongPathSinks {
+class TechniquePilot::Candidate final : public OutlierSinkFactory {
  public:
-  /// `plan` has the techniques of the offer.
-  Candidate(const ChainPlan& plan, const RenderSettings& settings)
-      : plan_(plan),
-        divisions_(Division(plan.brightness, plan.view.importance)),
-        omc_(
-            plan.make_omc(settings, plan.omc_depths(), {.divisions = &divisions_, .strong = this})),
+  Candidate(const SelectivePreparation& prepared, const PathFamilyDefaults& offer,
+            const RenderSettings& settings)
+      : prepared_(prepared),
+        divisions_(Division(prepared.brightness, prepared.view.importance)),
+        omc_(prepared.make_omc(offer, settings, {.divisions = &divisions_, .strong = this})),
         film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
 
   std::uint64_t tiles() const { return omc_->items_in_round(); }
@@ -58,15 +57,15 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
     counters.add_rays(own);
   }
 
-  std::unique_ptr<StrongPathSink> make(Film& /*film*/, Counters& /*counters*/) const override {
+  std::unique_ptr<OutlierSink> make(Film& /*film*/, Counters& /*counters*/) const override {
     return std::make_unique<Sink>(*this);
   }
 
   Errors errors() const {
     const WeightedErrors of_pixels =
         weighted_errors(develop_layers(film_, *omc_, kReplicates, {"direct", kWeakLayer}),
-                        plan_.settings.crop, plan_.view.importance);
-    const double unit = plan_.brightness * plan_.brightness / kUnit / kReplicates;
+                        prepared_.config.settings.crop, prepared_.view.importance);
+    const double unit = prepared_.brightness * prepared_.brightness / kUnit / kReplicates;
     return {sum_of(trimmed(of_pixels.variance)) * kReplicates,
             static_cast<double>(strong_.load()) * unit,
             static_cast<double>(from_light_.load()) * unit,
@@ -77,11 +76,11 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   /// Of sums of squares, which as whole numbers do not depend on the order of threads.
   static constexpr double kUnit = 1 << 20;
 
-  class Sink final : public StrongPathSink {
+  class Sink final : public OutlierSink {
    public:
     explicit Sink(const Candidate& candidate) : candidate_(candidate) {}
-    bool spread(SampleSource& /*numbers*/, StrongPath& path) override {
-      const double light = std::abs(path.energy) / candidate_.plan_.brightness;
+    bool spread(SampleSource& /*numbers*/, OutlierPath& path) override {
+      const double light = std::abs(path.energy) / candidate_.prepared_.brightness;
       candidate_.strong_ += square(std::min(light, SelectiveHeuristics::kBright));
       if (path.technique.s < 2) return true;
       const std::uint64_t find = square(std::min(light, SelectiveHeuristics::kHighestThreshold));
@@ -97,7 +96,7 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
     const Candidate& candidate_;
   };
 
-  const ChainPlan& plan_;
+  const SelectivePreparation& prepared_;
   Divisions divisions_;
   std::unique_ptr<Integrator> omc_;
   Film film_;
@@ -107,17 +106,18 @@ class TechniquePilot::Candidate final : public StrongPathSinks {
   mutable std::atomic<std::uint64_t> inner_{0};
 };
 
-TechniquePilot::TechniquePilot(ChainPlan& plan, PathFamilyDefaults offer,
-                               std::shared_ptr<Findings> findings)
-    : plan_(plan), offer_(std::move(offer)), findings_(std::move(findings)) {}
+TechniquePilot::TechniquePilot(const SelectivePreparation& prepared, PathFamilyDefaults offer,
+                               std::shared_ptr<Trials> trials)
+    : prepared_(prepared), offer_(std::move(offer)), trials_(std::move(trials)) {}
 TechniquePilot::~TechniquePilot() = default;
 
-std::vector<std::unique_ptr<TechniquePilot>> TechniquePilot::make_all(ChainPlan& plan) {
-  const auto findings = std::make_shared<Findings>();
+std::vector<std::unique_ptr<TechniquePilot>> TechniquePilot::make_all(
+    const SelectivePreparation& prepared) {
+  const auto trials = std::make_shared<Trials>();
   std::vector<std::unique_ptr<TechniquePilot>> stages;
   for (PathFamilyDefaults& offer : offers()) {
     stages.push_back(
-        std::unique_ptr<TechniquePilot>(new TechniquePilot(plan, std::move(offer), findings)));
+        std::unique_ptr<TechniquePilot>(new TechniquePilot(prepared, std::move(offer), trials)));
   }
   return stages;
 }
@@ -130,24 +130,21 @@ bool TechniquePilot::is_for_chains(const std::vector<Errors>& found) {
 }
 
 double TechniquePilot::effort() const {
-  if (!plan_.chooses_omc) return 0.0;
-  return kReplicates * ChainPlan::effort_with(offer_.light_paths_per_pixel) *
-         share_of_picture(plan_);
+  if (!prepared_.config.chooses_techniques) return 0.0;
+  return kReplicates * effort_with(offer_.light_paths_per_pixel) *
+         share_of_picture(prepared_.config);
 }
 
 std::uint64_t TechniquePilot::begin() {
-  if (!plan_.chooses_omc || !(plan_.brightness > 0.0) || findings_->decided) return 0;
-  RenderSettings settings = plan_.settings;
+  if (!prepared_.config.chooses_techniques || trials_->chosen) return 0;
+  RenderSettings settings = prepared_.config.settings;
   settings.replicates = kReplicates;
   settings.aovs.clear();
   settings.seed = hash_numbers(settings.seed, RandomUse::TechniqueTrial);
-  const PathFamilyDefaults before = plan_.omc;
-  plan_.set_omc(offer_);
-  candidate_ = std::make_unique<Candidate>(plan_, settings);
-  plan_.set_omc(before);
+  candidate_ = std::make_unique<Candidate>(prepared_, offer_, settings);
   const std::uint64_t all = candidate_->tiles();
-  const auto count =
-      static_cast<std::uint64_t>(std::ceil(static_cast<double>(all) * share_of_picture(plan_)));
+  const auto count = static_cast<std::uint64_t>(
+      std::ceil(static_cast<double>(all) * share_of_picture(prepared_.config)));
   for (std::uint64_t i = 0; i < count; ++i) {
     // One of each stretch, so that they lie all over the picture.
     const std::uint64_t first = i * all / count;
@@ -164,13 +161,13 @@ void TechniquePilot::run(std::uint64_t item, Counters& counters) {
 
 void TechniquePilot::end() {
   if (!candidate_) return;
-  findings_->of_offers.push_back(candidate_->errors());
+  trials_->errors.push_back(candidate_->errors());
   candidate_.reset();
   choose();
 }
 
 void TechniquePilot::choose() const {
-  const std::vector<Errors>& found = findings_->of_offers;
+  const std::vector<Errors>& found = trials_->errors;
   // Tiles without light tell nothing.
   if (found.size() <= kUsual || !(found[kUsual].after_equal_time() > 0.0)) return;
   const bool for_chains = is_for_chains(found);
@@ -184,8 +181,9 @@ void TechniquePilot::choose() const {
     if (found[i].after_equal_time() < found[best].after_equal_time()) best = i;
   }
   // One light subpath per sample may have found nothing by chance.
-  findings_->decided = found.size() == offers().size() || (best < kUsual && !for_chains);
-  if (findings_->decided) plan_.set_omc(offers()[best]);
+  if (found.size() == offers().size() || (best < kUsual && !for_chains)) {
+    trials_->chosen = offers()[best];
+  }
 }
 
 }  // namespace ajar

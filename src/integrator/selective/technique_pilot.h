@@ -1,9 +1,10 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "integrator/preparation_stage.h"
-#include "integrator/selective/chain_plan.h"
+#include "integrator/selective/preparation.h"
 
 namespace ajar {
 
@@ -19,7 +20,8 @@ namespace ajar {
 class TechniquePilot final : public PreparationStage {
  public:
   /// One for each offer.
-  static std::vector<std::unique_ptr<TechniquePilot>> make_all(ChainPlan& plan);
+  static std::vector<std::unique_ptr<TechniquePilot>> make_all(
+      const SelectivePreparation& prepared);
   ~TechniquePilot() override;
   TechniquePilot(const TechniquePilot&) = delete;
   TechniquePilot& operator=(const TechniquePilot&) = delete;
@@ -28,6 +30,8 @@ class TechniquePilot final : public PreparationStage {
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
   void end() override;
+  /// The offer of least error, once enough is known to choose it.
+  const std::optional<PathFamilyDefaults>& chosen() const { return trials_->chosen; }
 
  private:
   class Candidate;
@@ -40,21 +44,23 @@ class TechniquePilot final : public PreparationStage {
     double rays = 0.0;
     double after_equal_time() const { return (weak + strong) * rays; }
   };
-  struct Findings {
-    std::vector<Errors> of_offers;  ///< up to now
-    bool decided = false;
+  /// Shared by the stages.
+  struct Trials {
+    std::vector<Errors> errors;  ///< of the offers so far
+    std::optional<PathFamilyDefaults> chosen;
   };
 
-  TechniquePilot(ChainPlan& plan, PathFamilyDefaults offer, std::shared_ptr<Findings> findings);
+  TechniquePilot(const SelectivePreparation& prepared, PathFamilyDefaults offer,
+                 std::shared_ptr<Trials> trials);
   /// Whether there are strong paths that inner connections do not make any rarer: they are for
   /// chains.
   static bool is_for_chains(const std::vector<Errors>& found);
   /// Chooses, once enough is known for it.
   void choose() const;
 
-  ChainPlan& plan_;
+  const SelectivePreparation& prepared_;
   PathFamilyDefaults offer_;
-  std::shared_ptr<Findings> findings_;
+  std::shared_ptr<Trials> trials_;
   std::unique_ptr<Candidate> candidate_;
   std::vector<std::uint64_t> tiles_;
 };

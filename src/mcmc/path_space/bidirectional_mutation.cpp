@@ -15,7 +15,7 @@ namespace ajar {
 
 namespace {
 
-/// How often so many vertices are taken, of a path that has more; not normalised.
+/// Weight of removing so many vertices from a path that has more; not normalised.
 double removal_weight(int vertices) {
   if (vertices == 0) return PathSpaceHeuristics::kNoVertex;
   if (vertices == 1) return PathSpaceHeuristics::kOneVertex;
@@ -209,7 +209,7 @@ double BidirectionalMutation::log_density(const Path& x, const Path& y, const Ke
   std::vector<double> ways;
   for (int s = all.first; s <= all.last; ++s) {
     ways.push_back(log_joint(y, kept, s));
-    // What one way comes to is not known, so the sum is not.
+    // The sum is unknown if one term is.
     if (std::isnan(ways.back())) return ways.back();
     largest = std::max(largest, ways.back());
   }

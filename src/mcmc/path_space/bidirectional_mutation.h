@@ -20,7 +20,7 @@ class BidirectionalMutation final : public PathMutation {
   BidirectionalMutation(const Scene& scene, const RasterArea& area, const Depths& depths);
 
   std::string_view name() const override { return "bidirectional"; }
-  /// It makes nothing that no technique does.
+  /// Paths that no technique makes are not proposed.
   bool suitable(const Path& path) const override { return !no_technique_makes(path); }
   std::optional<Kept> propose(const Path& x, std::uint64_t key, Path& y) override;
   double log_density(const Path& x, const Path& y, const Kept& kept) const override;
@@ -40,7 +40,7 @@ class BidirectionalMutation final : public PathMutation {
   double kept_probability(int depth, const Kept& kept) const;
   std::optional<int> choose_depth(int depth, const Kept& kept, double u) const;
   double depth_probability(int from, int to, const Kept& kept) const;
-  /// Of depths `to`, in proportion; 0 where there are no paths.
+  /// Probabilities of depths `to`; 0 where there are no paths.
   double depth_weight(int from, int to, const Kept& kept) const;
   bool grow(const Path& x, const Kept& kept, int depth, int s, SampleSource& source);
   /// ln of the density of the vertices of `y` that are not kept, by joint.

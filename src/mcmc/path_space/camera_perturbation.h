@@ -5,10 +5,10 @@
 
 namespace ajar {
 
-/// What the perturbations that begin at the camera have in common: the place on the film moves by a
-/// little, mostly a very little; specular events stay what they are; where the path scatters
-/// otherwise on its way, the direction is turned by a little, too. The vertex at the end of all
-/// that is joined to the rest of the path, which stays, or is the light that the path runs into.
+/// Common base of perturbations that begin at the camera: the place on the film moves by a little,
+/// mostly a very little; specular events stay; where the path scatters otherwise on its way, the
+/// direction is turned by a little, too. The last new vertex is joined to the rest of the path,
+/// which stays, or is the light that the path runs into.
 class CameraPerturbation : public PathMutation {
  public:
   /// `scene` and `area` must outlive it.

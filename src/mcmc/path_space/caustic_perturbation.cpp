@@ -38,7 +38,7 @@ PerturbationLaw CausticPerturbation::law(const Path& path, int from) const {
   const int k = path.depth();
   const EmissionPdf start =
       scene_.camera().emission_pdf(path.camera_point, path.toward_light(scene_, k));
-  // Of a pixel, at the last vertex, perpendicular to the view.
+  // Size of a pixel at the last vertex, perpendicular to the view.
   double size = std::sqrt(1.0 / (static_cast<double>(start.departure.value()) *
                                  image_area(scene_.camera().resolution())));
   if (!scene_.camera().at_infinity()) size *= distance(path, k - 1);

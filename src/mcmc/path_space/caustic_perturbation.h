@@ -7,7 +7,7 @@ namespace ajar {
 
 /// Moves by a little the direction in which a light, or the last vertex before a specular chain,
 /// sends light (of a light at infinity: the place where the ray passes), follows the same specular
-/// events to the next other vertex, and joins that to the lens: for paths (L|D) S* D E. How far is
+/// events to the next other vertex, and joins that to the lens: for paths (L|D) S* D E. The size is
 /// such that the picture of that vertex moves about as far as by a lens perturbation. Source: Veach
 /// 1997, section 11.4.3.2.
 class CausticPerturbation final : public PathMutation {
@@ -22,7 +22,7 @@ class CausticPerturbation final : public PathMutation {
   const RayCounts& ray_counts() const override { return rays_; }
 
  private:
-  /// Of the direction, or place, in which vertex `from` of the path sends light.
+  /// Perturbation of the direction, or place, in which vertex `from` of the path sends light.
   PerturbationLaw law(const Path& path, int from) const;
   bool set_off(const Path& x, int from, const Vec2& u);
 

@@ -16,7 +16,7 @@ namespace ajar {
 
 namespace {
 
-/// Of a chain, of all that there are; none if it is specular.
+/// Offset normals of a chain among those of all; none if it is specular.
 std::span<const OffsetNormal> offsets_of(std::span<const InnerVertex> chain,
                                          std::span<const OffsetNormal> all) {
   const bool is_specular =

@@ -31,7 +31,7 @@ class ConstraintPerturbation : public PathMutation {
   };
 
  private:
-  /// Empty if the path is not of the kind. Whether vertices can hold constraints is not asked.
+  /// Empty if the path is not of the kind. Vertices need not be able to hold constraints.
   virtual std::optional<Span> span_of(const Path& path) const = 0;
 
   /// By vertex of a path; those that are not rough have none.
@@ -40,17 +40,17 @@ class ConstraintPerturbation : public PathMutation {
   /// are no such facets.
   bool move_offsets(const Path& x, const Span& span, SampleSource& source);
   std::optional<OffsetNormal> offset_of(const Path& path, int vertex) const;
-  /// How far that of a vertex is moved; empty if it cannot be.
+  /// Perturbation of a vertex's offset normal; empty if it cannot be moved.
   std::optional<PerturbationLaw> offset_law(const Path& path, int vertex) const;
   double log_offset_density(const Path& x, const Path& y, int vertex) const;
-  /// Of where the walk of a proposal came to.
+  /// Log density of the end of a proposal's walk.
   double log_walk_density(const Path& path, const Span& span) const;
   bool look(const Path& x, int moved, const Vec2& raster, SampleSource& source);
   /// From the chain of `x` to one that leads from its fixed end to `target`, and back again.
   bool walk(const Path& x, const Span& span, const InnerVertex& target);
-  /// Whether the walk back, which arrived, came to the chain of `x` and to no other between the
-  /// same ends. Asks the same of both chains, as a walk from the other one is to have the same
-  /// answer. `uncertainty`: of both.
+  /// True if the reverse walk, which arrived, came to the chain of `x` and to no other between the
+  /// same ends. Tests both chains, so that a walk from the other one gives the same answer.
+  /// `uncertainty`: of both.
   bool leads_back(const Path& x, const Span& span, const InnerVertex& target, double uncertainty);
 
   const Scene& scene_;

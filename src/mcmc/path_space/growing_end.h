@@ -34,7 +34,7 @@ class GrowingEnd {
 
   /// To the next vertex; false if nothing is there.
   bool arrive(SampleSource& source);
-  /// The same, with everything that is known of how it ended.
+  /// Traces a segment and returns how it ended.
   SegmentEnd trace(SampleSource& source);
 
   /// The endpoint among them.

@@ -15,7 +15,7 @@ class GrowingPath {
   GrowingPath(const Scene& scene, const RasterArea& area)
       : light(scene, Stream::Light), camera(scene, Stream::Camera), scene_(scene), area_(area) {}
 
-  /// Takes over so many vertices of `x` at each end. Of a camera end of one vertex, the place on
+  /// Takes over so many vertices of `x` at each end. A camera end of one vertex keeps the place on
   /// the lens.
   void begin(const Path& x, int light_vertices, int camera_vertices);
 
@@ -29,7 +29,7 @@ class GrowingPath {
   void choose_lens(SampleSource& source);
   /// The camera end sets off, from its place on the lens, through a place on the film.
   bool look(const Vec2& raster);
-  /// The camera end, which has set off, comes to a light: there is nothing left to be joined.
+  /// The camera end runs into a light: there is nothing left to be joined.
   bool run_into_light(SampleSource& source);
 
   /// Joins the ends, and gives the path away, if they see each other within the area and every
@@ -37,8 +37,8 @@ class GrowingPath {
   /// lens; then only the image itself can be looked at.
   bool finish(Path& path);
 
-  /// The same by a specular chain between the ends, in the order from the light; both have vertices
-  /// of the scene, or an endpoint at the light. All edges of the chain have to be open.
+  /// Joins the ends by a specular chain, in the order from the light; both have vertices of the
+  /// scene, or an endpoint at the light. All edges of the chain have to be open.
   bool finish_through(std::span<const InnerVertex> chain, Path& path);
 
   RayCounts ray_counts() const;
@@ -49,7 +49,7 @@ class GrowingPath {
  private:
   /// Where on the camera it is seen from; the light end has vertices.
   bool look_at_light_end();
-  /// What they scatter by at their last vertices is open; false if one cannot be joined there.
+  /// Leaves the scattering events of the last vertices open; false if one cannot be joined there.
   bool stop_ends();
   void assemble(Path& path) const;
 

@@ -8,7 +8,7 @@ namespace ajar {
 
 namespace {
 
-/// What a path does at a vertex, for this mutation.
+/// Role of a path's vertex in this mutation.
 enum class Role : std::uint8_t { Specular, Glossy, Other };
 
 Role role_of(const Scene& scene, const Path& path, int x) {

@@ -3,31 +3,30 @@
 
 namespace ajar {
 
-/// The numbers of moves in path space that say how often they do what, beside parameters, which
-/// tell their own ranges. No picture's expectation hangs on them, but for `kWayBack`, `kVaguest`
-/// and `kClear`: too large, they take one chain for another, and detailed balance, or the weight of
-/// a seed, fails where they do.
+/// Probabilities and sizes of moves in path space, beside parameters, which declare their own
+/// ranges. No picture's expectation depends on them, but for `kWayBack`, `kVaguest` and `kClear`:
+/// too large, they confuse chains, and detailed balance, or the weight of a seed, fails there.
 struct PathSpaceHeuristics {
-  /// How often a bidirectional mutation takes the whole path.
+  /// Probability of a bidirectional mutation to replace the whole path.
   /// Unit: probability. Range: (0, 1). Source: docs/notebook/mutations.md, "Half and double of
   /// other numbers": double may be a twentieth better.
   static constexpr double kWholePath = 0.1;
-  /// How often it takes no vertex at all, only an edge; r > 1 vertices have 2^−(r+1).
+  /// Weight of replacing no vertex, only an edge; r > 1 vertices have 2^−(r+1).
   /// Unit: weight. Range: > 0. Source: Veach 1997, 11.4.2.1.
   static constexpr double kNoVertex = 0.25;
-  /// How often it takes one vertex.
+  /// Weight of replacing one vertex.
   /// Unit: weight, as above. Range: > 0. Source: Veach 1997, 11.4.2.1.
   static constexpr double kOneVertex = 0.5;
-  /// How often the path stays as long as it is.
+  /// Weight of keeping the depth.
   /// Unit: weight. Range: > 0. Source: Veach 1997, 11.4.2.2.
   static constexpr double kSameDepth = 0.5;
-  /// How often it gets an edge longer, and an edge shorter.
+  /// Weight of one edge more, and of one edge less.
   /// Unit: weight, as above. Range: > 0. Source: Veach 1997, 11.4.2.2.
   static constexpr double kNextDepth = 0.15;
-  /// How often it gets j > 1 edges longer or shorter, times 2^−j.
+  /// Weight of j > 1 edges more or less, times 2^−j.
   /// Unit: weight, as above. Range: > 0. Source: Veach 1997, 11.4.2.2.
   static constexpr double kOtherDepth = 0.2;
-  /// It never gets longer or shorter by more edges.
+  /// Largest change of depth.
   /// Unit: edges. Range: >= 2. Source: set by hand: one in 2^20.
   static constexpr int kMostEdgesAtOnce = 20;
   /// Perturbations move places on the film by no less than this.
@@ -54,8 +53,8 @@ struct PathSpaceHeuristics {
   /// half vectors move": half may be a tenth better, double makes no difference that two seeds
   /// show.
   static constexpr double kLargestOffsetMove = 1.0;
-  /// A manifold walk leads back if it misses no vertex by more than this, beside what the tolerance
-  /// of walks makes of it.
+  /// Tolerance of a reverse manifold walk at each vertex, beside the error that the tolerance of
+  /// walks causes.
   /// Unit: share of the longest move of a vertex, or of the shortest edge if that is less. Range:
   /// (0, 1). Source: docs/notebook/mutations.md, "When a walk back counts": half and double make
   /// next to no difference. Other solutions are about as far as the move, but at the borders of
@@ -67,43 +66,42 @@ struct PathSpaceHeuristics {
   /// hundred moves more, and double seven fewer. In pictures of 2000 pixels it is about this of the
   /// smallest moves.
   static constexpr double kVaguest = 0.5;
-  /// A manifold connection takes a chain if what the tolerance of walks makes of it is no more than
-  /// this: it has to be known when it is found again. Others are left to light hit by chance.
+  /// Largest error by the tolerance of walks for which a manifold connection accepts a chain: it
+  /// has to be recognised when it is found again. Others are left to unidirectional hits.
   /// Unit: share of the shortest edge after the first. Range: (0, 1). Source: set by hand: in
   /// water-caustic walks come to a chain again within 1e-4, and to no other within 6e-3.
   static constexpr double kClear = 0.001;
-  /// The same where no ray can run into the light: other chains are left out. Two that become one
+  /// Clearance where no ray can run into the light: other chains are left out. Two that become one
   /// at the border of a caustic are told apart by the sign of a determinant in any case.
   /// Unit: the same share. Range: [kClear, 1). Source: docs/notebook/mutations.md, "Seeds of what
   /// no connection makes": in waves, 0.3 % of the light are left out; with kClear it would be 3 %.
   /// With ten times as much it is less than can be told, but single seeds bring a seventh of all.
   static constexpr double kClearOfPoints = 0.01;
-  /// Its guesses pass beside the straight way, or where a photon passed, by no less than this, each
-  /// order of magnitude as often as any other.
+  /// Least angle between its guesses and the straight line, or a photon; log-uniform above.
   /// Unit: radians; from outside of the scene, over π, times twice the angle of its radius from
   /// there; from infinity, over π, times its diameter. Range: (0, π). Source:
   /// docs/notebook/mutations.md, "Seeds of what no connection makes": ten times are worse, if one
   /// seed can be trusted; of less, no study.
   static constexpr double kSmallestGuess = 1e-4;
-  /// How many of them follow photons.
+  /// Probability of a guess to follow photons.
   /// Unit: probability. Range: [0, 1). Source: as above: without them the same error takes nine
   /// times as long; half as many make no difference that one seed shows, nearly all are worse.
   static constexpr float kGuessesByPhotons = 0.9F;
   /// Photons that are traced for that, of all lights.
   /// Unit: photons. Range: >= 0. Source: as above: half makes no difference; of double, no study.
   static constexpr std::uint64_t kPhotons = 1 << 17;
-  /// They are chosen among those in the smallest cell that has so many.
+  /// Least number of photons in the smallest cell that guesses choose from.
   /// Unit: photons. Range: >= 1. Source: as above: half and double make no difference.
   static constexpr int kFewestPhotons = 8;
   /// Photons do not follow longer chains.
   /// Unit: vertices. Range: >= 1. Source: set by hand, no study.
   static constexpr int kLongestOfPhotons = 16;
-  /// So many guesses are made before Russian roulette asks whether to go on looking for a chain
-  /// that is to be found again, and from then on at each doubling.
+  /// Guesses before Russian roulette may end the search for a chain that is to be found again; from
+  /// then on it may at each doubling.
   /// Unit: guesses, a power of 2. Range: >= 1. Source: set by hand: a second, which one of 20 000
   /// counts takes in water-caustic.
   static constexpr std::uint64_t kSureGuesses = 1 << 16;
-  /// How often it does go on.
+  /// Probability to go on.
   /// Unit: probability. Range: (0, 1/2): at half, chains that are hardly ever found would take
   /// without end. Source: set by hand: a chain that is never found takes half as long again on
   /// average.

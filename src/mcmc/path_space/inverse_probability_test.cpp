@@ -45,7 +45,7 @@ TEST(InverseProbability, WithADiscountIsThatOfEitherOfTwo) {
 }
 
 /// Roulette beside it changes no mean.
-TEST(InverseProbability, WithADiscountStandsRoulette) {
+TEST(InverseProbability, WithADiscountAllowsRoulette) {
   constexpr double kOther = 0.02;
   constexpr double kProbability = 0.03;
   Moments counted;
@@ -60,7 +60,7 @@ TEST(InverseProbability, WithADiscountStandsRoulette) {
   EXPECT_LT(5.0 * counted.standard_error(), 0.1 * expected) << "too noisy to notice";
 }
 
-TEST(InverseProbability, OfWhatNeverSucceedsEndsSoonAndIsZero) {
+TEST(InverseProbability, OfImpossibleEventsEndsSoonAndIsZero) {
   constexpr std::uint64_t kCounts = 10000;
   std::uint64_t all = 0;
   for (std::uint64_t i = 0; i < kCounts; ++i) {

@@ -28,7 +28,7 @@ class SpecularEvents {
     share_ = vertex.connectible() ? 1.0 : 1.0 / total_;
   }
 
-  /// Of the event by which the subpath goes on.
+  /// Probability of the event by which the subpath continues.
   double probability(const ScatterEvent& event) const {
     for (std::size_t i = 0; i < count_; ++i) {
       if (events_[i] == event) return probabilities_[i] * share_;

@@ -19,7 +19,7 @@ struct PathMutationInfo {
 };
 /// All of them, in the order of their numbers as moves.
 std::span<const PathMutationInfo> path_mutations();
-/// The same as moves of kernels.
+/// Mutations of paths as moves of kernels.
 std::span<const Move> path_moves();
 
 /// A kernel that mixes all of them, by number; weights may be 0. `scene` and `bounds` must outlive

@@ -20,7 +20,7 @@ namespace {
 /// By how much a ray from a light may miss where it is meant to pass: far from the origin, and from
 /// where those come that come from beyond the scene, this is more than the tolerance of walks.
 double rounding_of_rays(const Scene& scene, const ChainEnd& light, const Vec3& end) {
-  constexpr double kRounding = 1e-6;  // of coordinates: 16 times half an ulp
+  constexpr double kRounding = 1e-6;  // rounding of coordinates: 16 times half an ulp
   const auto size = [](const Vec3d& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   };
@@ -30,8 +30,8 @@ double rounding_of_rays(const Scene& scene, const ChainEnd& light, const Vec3& e
   return kRounding * std::max(start, size(Vec3d(end)));
 }
 
-/// A place beside `center` as it is seen from another, which misses it by angles up to what the
-/// scene has from there. In double precision, since from afar a float tells no place in the scene.
+/// A random place around `center` as seen from another, at angles up to the scene's extent from
+/// there. In double precision, since from afar floats cannot resolve places in the scene.
 Vec3d guess_beside(const Vec3d& center, const Vec3d& from, const BoundingSphere& sphere,
                    const Vec2& u) {
   const double away = (from - Vec3d(sphere.center)).length();
@@ -48,7 +48,7 @@ Vec3d guess_beside(const Vec3d& center, const Vec3d& from, const BoundingSphere&
   return from + toward * std::cos(angle) + Vec3d(across) * (toward.length() * std::sin(angle));
 }
 
-/// A clear chain, and what tells it from others between the same ends.
+/// A clear chain, and its distance to others between the same ends.
 class KnownChain {
  public:
   KnownChain(const Scene& scene, const ChainEnd& light, std::span<const InnerVertex> chain,
@@ -72,7 +72,7 @@ class KnownChain {
   bool is_clear(double share) const {
     return shortest_ > 0.0 && 2.0 * uncertainty_ <= share * shortest_;
   }
-  /// Whether a walk came to it.
+  /// True if a walk arrived at it.
   bool is(const ManifoldWalk& walk) const {
     const auto other = walk.vertices();
     if (other.size() != chain_.size() || walk.is_mirrored() != is_mirrored_) return false;
@@ -120,7 +120,7 @@ bool ManifoldConnection::find(const Ends& ends, std::uint64_t key) {
   if (!walk_.set_off(start, choose_place(ends, source), ends.most, source)) return false;
   auto guess = walk_.vertices();
   if (ends.seen.in_medium) {
-    // It may be between any two of them.
+    // The connection may be between any two of them.
     const float u = source.get({Stream::Light, 0, Slot::Roulette});
     guess = guess.first(1 + static_cast<std::size_t>(u * static_cast<float>(guess.size())));
   }

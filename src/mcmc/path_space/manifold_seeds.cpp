@@ -18,7 +18,7 @@ namespace {
 double log_join_pdf(const Scene& scene, const Path& path, int seen) {
   const Light& light = *path.light;
   const Vec3& place = path.vertex(seen).p();
-  // A side of a lamp that is turned away is never sampled from there, whatever the density says.
+  // A side of a lamp that is turned away is never sampled from there, even with a positive density.
   const bool turns_away =
       !light.discrete_position() && !light.at_infinity() &&
       light.emitted(path.light_point, normalize(place - path.light_point.surface.p)).is_black();
@@ -35,7 +35,7 @@ double log_camera_pdf(const Scene& scene, const Path& path, int last) {
   return density.value();
 }
 
-/// The same as `log_join_pdf`, of a subpath that runs into the light.
+/// As `log_join_pdf`, for a subpath that runs into the light.
 double log_hit_pdf(const Scene& scene, const Path& path, int seen) {
   if (path.light->discrete_position()) return kNever;
   return log_camera_pdf(scene, path, 0) - log_camera_pdf(scene, path, seen);

@@ -24,9 +24,9 @@ class ManifoldSeeds {
         growing_(scene, bounds_.area),
         connection_(scene, photons) {}
 
-  /// A path, and ln of what its f is to be multiplied by, so that the sum over all that one try
-  /// makes, each times what `inverse_chance` says, has the mean ∫ f · (1 − w) at this place of the
-  /// film: w is the mean of `hit_share`. `key` names the randomness that is left for that.
+  /// A path, and ln of a factor of its f, such that the sum over all paths of one try, each times
+  /// its `inverse_chance`, has the mean ∫ f · (1 − w) at this place of the film: w is the mean of
+  /// `hit_share`. `key` names the random numbers for that.
   struct Seed {
     Path path;
     double log_factor;
@@ -38,15 +38,15 @@ class ManifoldSeeds {
   /// On average 1/(w₀ + (1 − w₀) P), P being the probability with which the chain at the light of a
   /// seed is found between its ends, and w₀ its `least_hit_share`.
   double inverse_chance(const Seed& seed);
-  /// On average the MIS weight w = w₀/(w₀ + (1 − w₀) P), by the balance heuristic, of running into
-  /// the light as against this. P is known to no one: it is told by guesses, whose randomness `key`
+  /// The MIS weight w = w₀/(w₀ + (1 − w₀) P) on average, by the balance heuristic, of running into
+  /// the light as against this. P is unknown: it is estimated by guesses, whose randomness `key`
   /// names. 1 for paths that are not of the kind.
   double hit_share(const Path& path, std::uint64_t key);
 
-  /// w₀: what that weight would be, as against `tries` of this, if the chain were certain to be
-  /// found. A function of the path alone.
+  /// w₀: that weight, as against `tries` of this, if the chain were certain to be found. A function
+  /// of the path alone.
   static double least_hit_share(const Scene& scene, const Path& path, double tries);
-  /// Whether this can find the path.
+  /// True if this can find the path.
   static bool finds(const Scene& scene, const Path& path);
 
   RayCounts ray_counts() const;

@@ -4,7 +4,7 @@
 
 namespace ajar {
 
-/// What paths may be made.
+/// Bounds of paths that may be made.
 struct PathBounds {
   RasterArea area;
   int min_depth = 1;  ///< edges, at least 1

@@ -6,9 +6,8 @@
 
 namespace ajar {
 
-/// A chain in path space. I of all its states is 1: the light on a path has a measure of its own
-/// for each length, of which no unit is better than another, and only what the path brings over
-/// its I reaches the film.
+/// A chain in path space. I of all its states is 1: paths of each length have a measure of their
+/// own, so only f/I reaches the film.
 struct PathChain : Chain {
   Path path;
   std::uint64_t origin = 0;  ///< where it began, for messages

@@ -107,7 +107,7 @@ void PathKernel::consider(PathMutation& mutation, std::uint64_t key) {
   proposed_.log_light =
       light_on(scene_, path_, bounds_, layer_(path_.depth()), candidate_.splats, weight_);
   if (!std::isfinite(proposed_.log_light)) {
-    // Of what is no number chains keep count.
+    // NaN is passed on, as chains count it.
     if (proposed_.log_light != -std::numeric_limits<double>::infinity()) {
       candidate_.take(proposed_.log_light);
     }

@@ -18,9 +18,9 @@ struct MixedMutation {
 };
 
 /// Steps in path space (Veach 1997, chapter 11): the state is a path, its density in proportion to
-/// the luminance of what it brings to a place in an area of the film. A step chooses among the
-/// mutations that are suitable, by weights that are made to sum to one there; each keeps the
-/// density by itself, so only how often it was chosen counts on both sides.
+/// the luminance of its contribution to an area of the film. A step chooses among the suitable
+/// mutations, by weights that are normalised over them; each keeps the density by itself, so only
+/// the selection probability enters both directions.
 class PathKernel final : public Kernel {
  public:
   /// `scene` must outlive it; at least one mutation. `layer`: of the film, by the number of edges.
@@ -41,10 +41,10 @@ class PathKernel final : public Kernel {
   RayCounts ray_counts() const;
 
  private:
-  /// What is known of a path as long as it is a state.
+  /// Data of a path that is a state.
   struct State {
     double log_light = 0.0;  ///< ln f*, times `PathWeight`
-    double weight = 0.0;     ///< of all suitable mutations
+    double weight = 0.0;     ///< total weight of all suitable mutations
   };
   double suitable_weight(const Path& path) const;
   /// The mutation that a step from the current path tries; null if none is for it.
@@ -60,17 +60,17 @@ class PathKernel final : public Kernel {
   PathChain* chain_ = nullptr;
   State current_;
   State proposed_;
-  SplatBuffer splats_;  ///< of the current one
-  Path path_;           ///< that is proposed
+  SplatBuffer splats_;  ///< splats of the current path
+  Path path_;           ///< the proposal
   /// The one that was chosen last, in `moves_`.
   std::optional<std::size_t> move_;
   bool without_density_ = false;
   Candidate candidate_;
 };
 
-/// ln f* of a path, times `weight` if that is not null, and what it splats at I = 1: nothing, and
-/// −∞, if no light is on it, or if its place or the depth that counts is not within bounds; NaN if
-/// what is on it is no number, or negative.
+/// ln f* of a path, times `weight` if that is not null, and its splats at I = 1: nothing, and −∞,
+/// if it has no light, or if its place or the depth that counts is not within bounds; NaN if its
+/// light is NaN, or negative.
 double light_on(const Scene& scene, const Path& path, const PathBounds& bounds, std::int32_t layer,
                 SplatBuffer& splats, PathWeight* weight = nullptr);
 

@@ -9,14 +9,14 @@
 
 namespace ajar {
 
-/// What a mutation leaves of a path: so many vertices at its two ends, the endpoints among them. A
-/// camera end of one vertex is the place on the lens: where on the film the path lands may change.
+/// Vertices that a mutation keeps at the two ends of a path, endpoints included. A camera end of
+/// one vertex keeps the place on the lens: the raster position may change.
 struct Kept {
   int light = 0;
   int camera = 0;
 };
 
-/// ln of the density of what never happens.
+/// ln of the density of impossible events.
 inline constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// A way to change paths (docs/methods/mlt.md): vertices in the midst of a path, or at its ends,
@@ -25,7 +25,7 @@ class PathMutation {
  public:
   virtual ~PathMutation() = default;
   virtual std::string_view name() const = 0;
-  /// Whether it is for paths like this one, for which it then finds something to change.
+  /// True for paths in which it finds something to change.
   virtual bool suitable(const Path& path) const = 0;
   /// Makes `y` of `x`, which is another object, by the randomness that `key` names; whether there
   /// is any light on it has not been asked. Empty if the attempt came to nothing: then `y` is
@@ -36,7 +36,7 @@ class PathMutation {
   /// `contribution`: the deltas of specular vertices, which are to be those over the direction
   /// toward the light, are left out. `kNever` if it never does.
   virtual double log_density(const Path& x, const Path& y, const Kept& kept) const = 0;
-  /// What became of the walk of the last proposal, for mutations that walk.
+  /// Outcome of the last proposal's walk, for mutations that walk.
   virtual WalkEnd walk_end() const { return WalkEnd::None; }
   /// Rays traced so far.
   virtual const RayCounts& ray_counts() const = 0;

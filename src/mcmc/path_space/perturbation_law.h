@@ -14,8 +14,8 @@ struct PerturbationLaw {
   double largest;
 
   double size(double u) const { return largest * std::exp(-u * std::log(largest / smallest)); }
-  /// Sizes that are measured after a move differ by rounding from those that were drawn: what was
-  /// proposed must have a density.
+  /// Sizes that are measured after a move differ by rounding from those that were drawn: every
+  /// proposal must have a density.
   bool reaches(double size) const {
     constexpr double kRounding = 1e-3;
     return size >= smallest * (1.0 - kRounding) && size <= largest * (1.0 + kRounding);
@@ -48,7 +48,7 @@ struct PerturbationLaw {
   }
 };
 
-/// Of raster positions, for the size of the image.
+/// Perturbation of raster positions, for the size of the image.
 PerturbationLaw raster_law(const Vec2i& pixels);
 
 /// Between unit vectors; exact for small ones.

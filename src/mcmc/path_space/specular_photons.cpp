@@ -12,7 +12,7 @@ namespace ajar {
 
 namespace {
 
-/// Halvings along each axis that a code tells.
+/// Halvings along each axis in a code.
 constexpr int kLevels = 21;
 
 /// Every third bit.
@@ -56,7 +56,7 @@ std::uint64_t SpecularPhotons::code(const Vec3& p) const {
   const BoundingSphere& bounds = scene_.bounding_sphere();
   const auto along = [&](float x, float center) {
     const float share = 0.5F + 0.5F * (x - center) / bounds.radius;
-    // What is no number is at the border.
+    // NaN is put at the border.
     return spread_bits(
         share > 0.F ? static_cast<std::uint32_t>(std::min(share * kCells, kCells - 1.F)) : 0U);
   };

@@ -8,9 +8,9 @@
 
 namespace ajar {
 
-/// Where light falls that came through specular chains, and by what first vertices: guesses for
-/// manifold connections. The same for the same scene. Traced when it is first asked for, by rays
-/// that no one counts; safe to be asked by several threads.
+/// Light that came through specular chains, and its first vertices: guesses for manifold
+/// connections. Deterministic for a scene. Traced on first use, by rays that are not counted;
+/// thread-safe.
 class SpecularPhotons {
  public:
   /// `scene` must outlive it.

@@ -13,16 +13,15 @@
 
 namespace ajar {
 
-/// How many vertices of each stream have numbers; `Stream::Connection` has one.
+/// Number of vertices of each stream that have numbers; `Stream::Connection` has one.
 struct PrimaryShape {
   int camera_vertices = 1;
   int light_vertices = 1;
 };
 
 /// The primary vector of one chain's current state: blocks of `kBlockSize` numbers, one per vertex
-/// of each stream, kept lazily (Kelemen et al. 2002, section 5). A block holds the numbers it had
-/// when it was last asked for, and a stamp of that time; what has happened to it since is made up
-/// for when it is asked for again.
+/// of each stream, kept lazily (Kelemen et al. 2002, section 5). A block holds the numbers of its
+/// last use, and a stamp of that time; missed steps are made up for at its next use.
 ///
 /// Each stream has a clock that counts the accepted steps that moved it, in units of the shortest
 /// (rejected steps moved nothing).
@@ -96,8 +95,8 @@ class ChainNumbers {
     }
   }
 
-  /// Whether a chain can have these after so many steps: all are numbers in [0, 1), and no time is
-  /// later than the steps can have made it.
+  /// True if a chain can have these after so many steps: all are numbers in [0, 1), and no time is
+  /// later than the steps allow.
   bool can_be_after(std::uint64_t steps) const;
 
   /// Everything this object occupies, the heap included.

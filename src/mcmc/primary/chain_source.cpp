@@ -147,7 +147,7 @@ void ChainSource::perturb(std::span<float> block, SampleAddress address, std::ui
 }
 
 void ChainSource::accept_moved(std::uint64_t key) {
-  // What nobody has asked for has two steps to make up for.
+  // Numbers not requested so far have two steps to catch up with.
   numbers_->advance(change_, 2 * units_);
   for (const Undo& undo : undo_) {
     perturb(numbers_->block(undo.block), undo.address, key);

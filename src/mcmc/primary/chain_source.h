@@ -35,23 +35,21 @@ class RasterUse {
 /// steps at a time. The mutation must outlive it.
 ///
 /// With `PlaneMoves`, the raster numbers of a small step of full length move by them if both the
-/// current state and the proposal use them (`RasterUse`), and by the mutation otherwise. Which of
-/// both it is can be told before the numbers are drawn, since a state's use of them depends on
-/// numbers that it asks for earlier; and it is the same for the step back. So the densities of both
-/// directions are known, and numbers that were not used for a while have missed ordinary steps
-/// only.
+/// current state and the proposal use them (`RasterUse`), and by the mutation otherwise. The use is
+/// known before the numbers are drawn, since a state's use of them depends on numbers that it asks
+/// for earlier; and it is the same for the step back.
 class ChainSource final : public SampleSource {
  public:
   /// `plane` may be null.
   ChainSource(const Mutation& mutation, const StepSizes& sizes, const PrimaryShape& shape,
               const PlaneMoves* plane = nullptr);
 
-  /// Where a run goes on: whether the current state uses the raster numbers, and what multiplies
-  /// the length of its small steps.
+  /// Start of a run: whether the current state uses the raster numbers, and the scale of its small
+  /// steps.
   void start(bool uses_raster, float step_scale);
   /// After a step was accepted; 1 unless a published `PlaneMoves` adapts it.
   float step_scale() const { return step_scale_; }
-  /// Whether the current state places itself by the raster numbers.
+  /// True if the current state uses the raster numbers for its position.
   bool uses_raster() const { return current_uses_raster_; }
 
   /// Starts a step of `numbers`, which must stay where it is until the step is accepted or
@@ -60,13 +58,12 @@ class ChainSource final : public SampleSource {
   void propose(ChainNumbers& numbers, StepKind kind, const Change& change, std::uint64_t key,
                std::uint64_t units = kStepUnits);
   void accept();
-  /// Restores every number that this step has moved, but keeps what was made up for (see
-  /// `ChainNumbers`).
+  /// Restores every number that this step has moved, but keeps catch-up moves (see `ChainNumbers`).
   void reject();
   /// Accepts a state one small step away from the proposal instead, as `perturb` makes it.
   void accept_moved(std::uint64_t key);
-  /// Tells of a state that was accepted without its numbers having come from here: whether it
-  /// places itself by the raster numbers, and what they are then.
+  /// Notes a state that was accepted with numbers from elsewhere: whether it uses the raster
+  /// numbers for its position, and their values.
   void arrive(bool uses_raster, const Vec2& raster);
   std::size_t block_of(SampleAddress address) const { return numbers_->block_of(address); }
   /// The proposal's block that holds `address`.
@@ -114,19 +111,19 @@ class ChainSource final : public SampleSource {
   void follow_plane(std::span<float, kBlockSize> numbers, const Undo& undo, std::uint64_t key);
   void move_raster_alone();
   void set_step_scale(float scale);
-  /// Of the step, in steps of the mutation.
+  /// Length of the step, in steps of the mutation.
   double length() const { return static_cast<double>(units_) / kStepUnits; }
 
   const Mutation& mutation_;
   StepSizes default_sizes_;
   StepSizes sizes_;                  ///< times the step scale
-  StepSizes::Scales raster_scales_;  ///< of steps of the raster numbers alone
+  StepSizes::Scales raster_scales_;  ///< sizes of steps of the raster numbers alone
   float step_scale_ = 1.F;
   const PlaneMoves* plane_;
   bool current_uses_raster_ = false;
-  RasterUse raster_use_;             ///< of the proposal
-  double raster_log_ratio_ = 0.0;    ///< of moves in the plane
-  double replaced_log_ratio_ = 0.0;  ///< of numbers that were replaced
+  RasterUse raster_use_;             ///< use by the proposal
+  double raster_log_ratio_ = 0.0;    ///< log ratio of moves in the plane
+  double replaced_log_ratio_ = 0.0;  ///< log ratio of numbers that were replaced
   std::vector<Undo> undo_;
   ChainNumbers* numbers_ = nullptr;
   bool large_ = false;
@@ -144,7 +141,7 @@ class ChainSource final : public SampleSource {
 class ReplaySource final : public SampleSource {
  public:
   explicit ReplaySource(const ChainNumbers& numbers) : numbers_(numbers) {}
-  /// Whether the state places itself by the raster numbers.
+  /// True if the state uses the raster numbers for its position.
   bool uses_raster() const { return raster_use_.used(); }
   float get(SampleAddress address) override {
     const Vec2 pair = get_pair(address);

@@ -170,7 +170,7 @@ TEST(ChainSource, StepsOfTheRasterNumbersMoveNothingElseAndGoFarther) {
   testing::expect_mean(squares, 2.0 * 1e-6 * 2499.0 / (2.0 * std::log(50.0)), 0.06);
 }
 
-TEST(ChainSource, NumbersMayBeReplacedThatAStepLeavesAsTheyAre) {
+TEST(ChainSource, UnmovedNumbersMayBeReplaced) {
   const GaussianMutation mutation(0.05);
   ChainSource source(mutation, {}, kShape);
   ChainNumbers numbers(kShape, 9);
@@ -212,7 +212,7 @@ TEST(ChainSource, NumbersThatMoveOrAreGivenAreNotReplaced) {
   EXPECT_THROW(replay.replace_pair(address, Vec2(0.5F, 0.5F), 0.0), std::logic_error);
 }
 
-TEST(ChainSource, ALargeStepIsFreshForBlocksThatAreAskedForLater) {
+TEST(ChainSource, LargeStepsAreFreshForBlocksRequestedLater) {
   const GaussianMutation mutation(0.05);
   ChainSource source(mutation, {}, kShape);
   const SampleAddress first(Stream::Camera, 0, Slot::BsdfLobe);
@@ -228,7 +228,7 @@ TEST(ChainSource, ALargeStepIsFreshForBlocksThatAreAskedForLater) {
   EXPECT_EQ(ReplaySource(lazy).get(later), fresh);
 }
 
-TEST(ChainSource, WhatWasMadeUpForSurvivesARejection) {
+TEST(ChainSource, CatchUpMovesSurviveARejection) {
   const GaussianMutation mutation(0.01);
   ChainSource source(mutation, {}, kShape);
   const SampleAddress used(Stream::Camera, 0, Slot::BsdfLobe);

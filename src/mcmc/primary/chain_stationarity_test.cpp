@@ -135,7 +135,7 @@ TEST(ChainStationarity, HoldsWithStepsOfSeveralLengths) {
   }
   settings.tries = 3;
   expect_stationary(testing::peak(), mutation, settings, 12);
-  // What lazy numbers have missed must be as long as what others have moved.
+  // Catch-up moves of lazy numbers must have the length of the steps they missed.
   settings.tries = 1;
   settings.probabilities = {0.0, 0.0, 0.0, 0.5};
   settings.sizes.camera_endpoint.fill(3.F);
@@ -210,7 +210,7 @@ TEST(ChainStationarity, HoldsWithSeveralTriesAmongStepsOfEveryKind) {
     SCOPED_TRACE(toy.name);
     expect_stationary(toy, GaussianMutation(0.05), settings, 12);
   }
-  // Which of both a state is must be known after a step of several tries, too.
+  // The kind of a state must be known after a step of several tries, too.
   settings.probabilities = {0.0, 0.0, 0.0, 0.0, 0.5};
   settings.sizes.connection.fill(15.F);
   expect_stationary(two_techniques(), GaussianMutation(0.05), settings, 60);

@@ -13,8 +13,8 @@
 namespace ajar {
 
 namespace {
-/// A wrapped normal distribution this wide differs from the uniform by 2·exp(−2π²σ²) < 1e-137, so
-/// a wider one is the same in every respect. It keeps steps within what the grid can add.
+/// A wrapped normal distribution this wide differs from the uniform by 2·exp(−2π²σ²) < 1e-137, so a
+/// wider one is the same in every respect. Keeps steps within the range of the grid's addition.
 constexpr float kWidest = 4.F;
 }  // namespace
 

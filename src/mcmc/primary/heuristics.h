@@ -4,11 +4,11 @@
 
 namespace ajar {
 
-/// The fitted numbers of moves in primary sample space, beside parameters, which tell their own
+/// The fitted numbers of moves in primary sample space, beside parameters, which declare their own
 /// ranges, and those of papers (`PlaneRule`).
 struct PrimaryHeuristics {
-  /// How many times as long as others steps of the raster numbers alone are: up to so many, each
-  /// order of magnitude as often. Where directions alone decide, light may be found again anywhere.
+  /// Largest relative length of steps of the raster numbers alone, log-uniform from 1. Where
+  /// directions alone decide, the next light may lie anywhere.
   /// Unit: factor. Range: [1, StepSizes::kLargest]. Source: docs/notebook/chains.md, "Directions
   /// that stay": FLIP on pool 0.328 with twice as long, 0.296 with six times, 0.288 with twenty
   /// times, 0.284 with 1 to 50 times.

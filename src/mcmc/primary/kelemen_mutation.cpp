@@ -15,7 +15,7 @@ KelemenMutation::KelemenMutation(double shortest, double longest)
     : shortest_(shortest),
       longest_(longest),
       octaves_(static_cast<float>(std::log2(longest / shortest))) {
-  // Nothing shorter than a cell of the grid could be told from standing still.
+  // Steps shorter than a cell of the grid are none.
   if (!(shortest >= 0x1p-24 && shortest < longest && longest <= 1.0)) {
     throw std::invalid_argument("kelemen mutation needs 2^-24 <= shortest < longest <= 1");
   }

@@ -17,7 +17,7 @@ class Mutation {
   /// the length of the steps, number by number; `key` names the randomness to use.
   virtual void perturb(std::span<float> numbers, std::span<const float> scales, double steps,
                        std::uint64_t key) const = 0;
-  /// Whether `steps` may be a fraction: a step then is the sum of independent shorter ones.
+  /// True if `steps` may be a fraction: a step then is the sum of independent shorter ones.
   virtual bool divisible() const { return false; }
 
   /// Transition density of one step of one number, with respect to length on the unit interval.

@@ -12,8 +12,8 @@
 
 namespace ajar {
 
-/// How small steps follow the image plane (docs/methods/mutations.md), with the constants of He et
-/// al. 2020.
+/// Dependence of small steps on the image plane (docs/methods/mutations.md), with the constants of
+/// He et al. 2020.
 struct PlaneRule {
   bool adaptive = false;    ///< step sizes follow the evenness of the visits
   bool neighbours = false;  ///< densely visited pixels are left for a neighbour
@@ -32,7 +32,7 @@ struct PlaneRule {
   double visits_needed() const;
 };
 
-/// What is known of a pixel: how often chains were there, and the light they brought.
+/// Statistics of a pixel: visits by chains, and their light.
 struct PixelVisits {
   float visits = 0.F;
   float light = 0.F;
@@ -67,8 +67,8 @@ class PlaneMoves {
   /// Where a small step leads; empty if it is an ordinary step of the mutation. `key` names the
   /// randomness.
   std::optional<Vec2> move(const Vec2& from, std::uint64_t key) const;
-  /// Of a small step, with respect to area of the unit square, ordinary ones included. For exact
-  /// rules only.
+  /// Density of a small step, with respect to area of the unit square, ordinary ones included. For
+  /// exact rules only.
   double density(const Vec2& from, const Vec2& to) const;
   /// log density(to → from) − log density(from → to); 0 if published.
   double log_ratio(const Vec2& from, const Vec2& to) const;

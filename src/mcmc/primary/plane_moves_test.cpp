@@ -37,7 +37,7 @@ std::vector<RuleCase> exact_rules() {
   neighbours.neighbour_visits = 50.0;
   PlaneRule fusion = adaptive;
   fusion.neighbours = true;
-  // So that all three kinds of step meet.
+  // Chosen so that all three kinds of step occur.
   fusion.neighbour_visits = 60.0;
   return {{"adaptive", adaptive}, {"slemmlt", neighbours}, {"fusion", fusion}};
 }
@@ -141,7 +141,7 @@ TEST(PlaneMoves, ExactRulesKeepTheDistributionToTheLastDigits) {
   }
 }
 
-TEST(PlaneMoves, PublishedRulesDoNot) {
+TEST(PlaneMoves, PublishedRulesDoNotKeepTheDistribution) {
   // The table of docs/notebook/mutations.md.
   struct Expected {
     double large;
@@ -300,7 +300,7 @@ TEST(PlaneMoves, ChainsStayInTheirDistributionWithStepsOfEveryKind) {
 }
 
 TEST(PlaneMoves, PublishedChainsLeaveTheirDistribution) {
-  // What the test before can notice. 40 cells of χ² vary by 9.
+  // Power of the test before. 40 cells of χ² vary by 9.
   PrimarySettings settings;
   settings.probabilities = {0.1, 0.2, 0.2};
   const Toy toy = testing::step();

@@ -17,7 +17,7 @@ struct PrimaryChain : Chain {
       : Chain{chain_seed, 0, 0, scalar_there}, origin(origin_key), numbers(shape, origin_key) {}
 
   std::uint64_t origin;
-  float step_scale = 1.F;  ///< of small steps, since the last large one (`PlaneMoves`)
+  float step_scale = 1.F;  ///< scale of small steps, since the last large one (`PlaneMoves`)
   ChainNumbers numbers;
 
   std::size_t memory_bytes() const {

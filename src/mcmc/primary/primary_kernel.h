@@ -13,7 +13,7 @@
 
 namespace ajar {
 
-/// How chains of primary numbers move.
+/// Moves of chains of primary numbers.
 struct PrimarySettings {
   StepProbabilities probabilities;
   StepSizes sizes;
@@ -21,12 +21,12 @@ struct PrimarySettings {
   /// Proposals of a step (`SeveralTries`). Steps that need not be symmetric have one nevertheless:
   /// those of the raster numbers alone, and those that follow the image plane.
   int tries = 1;
-  /// What more than this a large step brings does not count in the statistics of b.
+  /// Cap on a large step's contribution to the statistics of b.
   double large_step_cap = std::numeric_limits<double>::infinity();
 };
 
 /// Steps in primary sample space (Kelemen et al. 2002): moves of the vector of uniform numbers that
-/// a target's state is made of. Which move a step makes does not depend on the state.
+/// a target's state is made of. The choice of a move does not depend on the state.
 class PrimaryKernel final : public Kernel {
  public:
   /// The mutation, the target, and `plane`, which may be null, must outlive it. Raises
@@ -50,7 +50,7 @@ class PrimaryKernel final : public Kernel {
 
  private:
   PrimaryStep choose_step(std::uint64_t key) const;
-  /// Whether the step has several candidates.
+  /// True if the step has several candidates.
   bool tries_often(const PrimaryStep& step) const;
 
   PrimarySettings settings_;
@@ -61,7 +61,7 @@ class PrimaryKernel final : public Kernel {
   PrimaryChain* chain_ = nullptr;
   PrimaryStep step_;
   SplatBuffer current_;
-  Candidate candidate_;  ///< of steps that have one
+  Candidate candidate_;  ///< the candidate of steps that have one
 };
 
 }  // namespace ajar

@@ -8,8 +8,8 @@
 
 namespace ajar {
 
-/// What one step of a chain moves: everything afresh, or by a small step both subpaths, one, or
-/// nothing but the place on the picture.
+/// Part of the numbers that a step of a chain moves: all afresh, or by a small step both subpaths,
+/// one, or only the raster position.
 enum class StepKind : std::uint8_t { Large, SmallBoth, SmallCamera, SmallLight, SmallRaster };
 /// Its number among a kernel's moves.
 constexpr std::size_t move_of(StepKind kind) { return static_cast<std::size_t>(kind); }
@@ -21,17 +21,17 @@ struct Change {
   bool camera = true;
   bool light = true;
   bool connection = true;
-  bool raster = false;  ///< of the camera's numbers, the two raster numbers alone
-  /// Whether all numbers of a stream move.
+  bool raster = false;  ///< only the two raster numbers of the camera's
+  /// True if all numbers of a stream move.
   bool moves(Stream stream) const {
     if (stream == Stream::Camera) return camera;
     return stream == Stream::Light ? light : connection;
   }
-  /// Whether the camera's half of a path may be another one.
+  /// True if the camera's half of a path may change.
   bool moves_camera_half() const { return camera || raster; }
 };
 
-/// Which half moves take the numbers of `Stream::Connection` along; moves of both always do.
+/// Halves whose moves take the numbers of `Stream::Connection` along; moves of both always do.
 struct ConnectionMoves {
   bool with_camera = true;
   bool with_light = false;
@@ -41,7 +41,7 @@ struct ConnectionMoves {
 /// many units, one of 1/8 of its length 1/64 of them.
 inline constexpr std::uint64_t kStepUnits = 4096;
 
-/// How often each kind of step is made, whatever the state is.
+/// Probability of each kind of step, independent of the state.
 struct StepProbabilities {
   double large = 0.3;
   /// Shares of the small steps that do not move the raster numbers alone; the rest moves both
@@ -63,18 +63,18 @@ struct StepProbabilities {
   std::uint64_t choose_length(double u) const;
 };
 
-/// What a step changes in a state that places itself by its raster numbers, or in one that does not
-/// (a light subpath that is connected to the lens). There, steps of the raster numbers move the
-/// light's half instead, and never the numbers that decide which of both a state is: so such a step
-/// is as probable as the one back.
+/// Numbers that a step changes in a state that uses its raster numbers for its position, or in one
+/// that does not (a light subpath that is connected to the lens). In the latter, steps of the
+/// raster numbers move the light's half instead, and never the numbers that decide the kind of a
+/// state: so such a step is as probable as the reverse.
 Change change_of(StepKind kind, ConnectionMoves connection, bool uses_raster);
 
-/// What a step knows before it proposes.
+/// Data of a step before its proposal.
 struct PrimaryStep {
   std::uint64_t key = 0;  ///< names its randomness
   StepKind kind = StepKind::Large;
   Change change;
-  std::uint64_t units = kStepUnits;  ///< of a small step's length
+  std::uint64_t units = kStepUnits;  ///< length of a small step
   bool large() const { return kind == StepKind::Large; }
 };
 

@@ -49,7 +49,7 @@ TEST(StepKind, CanBeAllOfOneKind) {
   }
 }
 
-TEST(StepKind, RefusesWhatIsNoProbability) {
+TEST(StepKind, RefusesInvalidProbabilities) {
   EXPECT_THROW((StepProbabilities{1.1, 0.0, 0.0}.check()), std::invalid_argument);
   EXPECT_THROW((StepProbabilities{0.3, 0.6, 0.6}.check()), std::invalid_argument);
   EXPECT_THROW((StepProbabilities{0.3, -0.1, 0.0}.check()), std::invalid_argument);
@@ -59,7 +59,7 @@ TEST(StepKind, RefusesWhatIsNoProbability) {
   EXPECT_NO_THROW((StepProbabilities{0.3, 0.5, 0.5}.check()));
 }
 
-TEST(StepKind, ConnectionMovesWithTheHalvesItIsToldTo) {
+TEST(StepKind, ConnectionMovesWithTheSelectedHalves) {
   EXPECT_TRUE(change_of(StepKind::SmallCamera, {}, true).connection);
   EXPECT_FALSE(change_of(StepKind::SmallLight, {}, true).connection);
   EXPECT_FALSE(change_of(StepKind::SmallCamera, {false, true}, true).connection);

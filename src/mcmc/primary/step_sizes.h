@@ -11,12 +11,12 @@ namespace ajar {
 /// Primary numbers per vertex: the slots, filled up to whole pairs.
 inline constexpr std::size_t kBlockSize = (static_cast<std::size_t>(Slot::kCount) + 1) / 2 * 2;
 
-/// How far small steps go in each kind of primary number, relative to the mutation's own step.
-/// Numbers that choose (a lobe, a light) may deserve longer steps than those that place; with 0 a
+/// Length of small steps in each kind of primary number, relative to the mutation's own step.
+/// Numbers that choose (a lobe, a light) may need longer steps than those that place; with 0 a
 /// number keeps its value until the next large step.
 struct StepSizes {
   using Scales = std::array<float, kBlockSize>;
-  /// What `add_on_unit_circle` can add. Steps around the whole circle are no use anyway.
+  /// Largest argument of `add_on_unit_circle`. Steps around the whole circle are no use anyway.
   static constexpr float kLargest = 64.F;
   static constexpr Scales ones() {
     Scales scales{};

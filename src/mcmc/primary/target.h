@@ -5,15 +5,15 @@
 
 namespace ajar {
 
-/// What a chain samples from: a function of the primary vector. Used by one thread.
+/// Target function of a chain: a function of the primary vector. Used by one thread.
 class Target {
  public:
   virtual ~Target() = default;
   /// The contribution function I ≥ 0 of the state `numbers`; appends its splats. It must be a
-  /// function of `numbers` alone. `change` says which streams may differ from the state that was
-  /// last accepted: what came of the others alone need not be computed again, nor their numbers be
-  /// asked for. In a step of the raster numbers alone it may replace numbers, so that something
-  /// else stays (`SampleSource::replace_pair`). A state that is placed on the image by the raster
+  /// function of `numbers` alone. `change` names the streams that may differ from the state that
+  /// was last accepted: results of the others alone may be reused, without requesting their
+  /// numbers. In a step of the raster numbers alone it may replace numbers, so that something else
+  /// stays (`SampleSource::replace_pair`). A state that is placed on the image by the raster
   /// numbers, the first pair of the camera's vertex 0, asks for them in every case, and before
   /// others of that vertex.
   virtual double evaluate(SampleSource& numbers, const Change& change, SplatBuffer& splats) = 0;

@@ -16,12 +16,11 @@ class TrySource final : public SampleSource {
 
   /// The next try is the fresh vector named by `key`.
   void make_fresh(std::uint64_t key);
-  /// The next try is one small step away from what `centre` proposes, which it shares with other
+  /// The next try is one small step away from the proposal of `centre`, which it shares with other
   /// tries; `key` names the randomness of this step.
   void move_from_centre(const Change& change, std::uint64_t key);
 
-  /// Of the try, as far as it has asked for its numbers: whether it places itself by the raster
-  /// numbers, and what they are then.
+  /// Use of the raster numbers by the try so far, and their values.
   bool uses_raster() const { return raster_use_.used(); }
   const Vec2& raster() const { return raster_; }
 

@@ -25,7 +25,7 @@ TEST(UnitGrid, StaysBelowOneAndNotBelowZero) {
   EXPECT_EQ(add_on_unit_circle(0.F, -0x1p-24F), kOneMinusEpsilon);
 }
 
-TEST(UnitGrid, EveryStepCanBeTakenBack) {
+TEST(UnitGrid, EveryStepIsReversible) {
   Rng rng(3);
   for (int i = 0; i < 100000; ++i) {
     const float u = rng.next();

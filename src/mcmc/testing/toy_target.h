@@ -15,7 +15,7 @@
 /// Targets whose distribution is known, for tests of chains.
 namespace ajar::testing {
 
-/// What a toy function says of a state: I, and the bin it is counted in.
+/// Value of a toy function: I, and the bin it is counted in.
 struct ToyValue {
   double scalar;
   int bin;
@@ -53,7 +53,7 @@ class Histogram final : public DepositSink {
   std::vector<double> sums_;
 };
 
-/// Of chains whose last states alone matter.
+/// Sink for chains whose last states alone matter.
 struct Nowhere final : DepositSink {
   void deposit(std::span<const Splat>, double) override {}
 };
@@ -74,9 +74,9 @@ inline int bin_of(float u, int bins) {
 struct Toy {
   const char* name;
   ToyFunction function;
-  double largest;                 ///< of I
+  double largest;                 ///< largest I
   double mean;                    ///< b
-  std::vector<double> fractions;  ///< of ∫ I by bin
+  std::vector<double> fractions;  ///< fractions of ∫ I by bin
 };
 
 /// 1-D: a peak of width 0.03 on the seam of the unit interval.

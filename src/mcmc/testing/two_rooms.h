@@ -56,7 +56,7 @@ struct TwoRooms {
   std::vector<PixelVisits> pixels;
 };
 
-/// How far a distribution of pixels is from the target's.
+/// Deviation of a distribution of pixels from the target's.
 struct PlaneBias {
   double left_half;  ///< relative error of the left half's share
   double pixel;      ///< largest relative error of a pixel

@@ -21,9 +21,9 @@ namespace ajar {
 namespace {
 
 using Planes = std::vector<Plane>;
-/// What surfaces reflect at least, so that light is not divided by nothing.
+/// Lower bound of the albedo that light is divided by.
 constexpr float kBlackest = 0.01F;
-/// Of the picture's level: differences of light this dark are none.
+/// Negligible differences, relative to the picture's level.
 constexpr float kDark = 0.1F;
 
 /// Two pictures of independent samples.
@@ -32,7 +32,7 @@ struct Halves {
   Planes second;
 };
 
-/// How far the work is, for several threads.
+/// Progress of several threads.
 class Work {
  public:
   /// Every level has a quarter of the pixels of the last, and is filtered twice.
@@ -80,7 +80,7 @@ Plane luminances(const Planes& colour) {
   });
 }
 
-/// `colour` without pixels that are too bright for what both halves have around them.
+/// `colour` without pixels that are too bright for the surroundings in both halves.
 Planes without_bright_pixels(const Planes& colour, const Planes& other) {
   const Vec2i size = colour.front().size;
   const SeparableKernel box = box_kernel(PostHeuristics::kAroundPixel);
@@ -122,9 +122,8 @@ Halves regress(const Halves& halves, const Planes& features, float level, Work& 
           local_regression({halves.second, first, variance, features}, proceeds)};
 }
 
-/// How far the coarse picture is to take the place of the fine one, pixel by pixel: the W in
-/// [0, 1] for which fine + W (coarse − fine) is nearest to the other half, over a patch. Where
-/// that is in doubt, nearer to 1.
+/// Weight of the coarse picture against the fine one, pixel by pixel: the W in [0, 1] for which
+/// fine + W (coarse − fine) is nearest to the other half, over a patch. In doubt it is nearer to 1.
 Plane share_of_coarse(const Halves& fine, const Halves& coarse, const Halves& noisy, float level) {
   const Vec2i size = coarse.first.front().size;
   Plane gain(size);

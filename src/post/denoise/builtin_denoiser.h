@@ -5,13 +5,12 @@ namespace ajar {
 
 /// A filter for where no library is: local regressions (local_regression.h) at several scales.
 ///
-/// 1. Light is divided by the albedo of what is seen, so that textures are none of its business.
+/// 1. Demodulates albedo, so that texture is not filtered.
 /// 2. Of two independent halves of a picture, each is filtered with the weights of the other. A
 ///    picture without halves is divided as a chessboard is, and the other squares filled from
 ///    around.
-/// 3. What is too coarse for a window is left to the filtered picture of half the size: its light
-///    takes the place of what the finer one has, as far as the halves show, crossed, that it is
-///    nearer to the truth.
+/// 3. Scales beyond a window are left to the filtered picture of half the size: its light replaces
+///    that of the finer one, as far as the halves show, crossed, that it is nearer to the truth.
 /// 4. Pixels much brighter than those around are cut for the finest scales, and keep their light
 ///    for the coarser ones.
 ///

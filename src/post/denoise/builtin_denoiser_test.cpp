@@ -51,7 +51,7 @@ double light_of(const std::vector<float>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Two halves of a picture, and what the filter makes of them.
+/// Two halves of a picture, and the filter's result.
 struct Filtered {
   explicit Filtered(const std::vector<float>& truth, const Features& features = {},
                     const Denoiser::Progress& progress = {})
@@ -66,14 +66,14 @@ struct Filtered {
   std::optional<std::vector<float>> result;
 };
 
-TEST(BuiltinDenoiser, TakesNoiseAndKeepsLight) {
+TEST(BuiltinDenoiser, RemovesNoiseAndKeepsLight) {
   const std::vector<float> truth = ramp();
   const Filtered filtered(truth);
   EXPECT_LT(squared_error(*filtered.result, truth), 0.02 * squared_error(filtered.whole, truth));
   EXPECT_NEAR(light_of(*filtered.result) / light_of(filtered.whole), 1.0, 0.005);
 }
 
-TEST(BuiltinDenoiser, DoesWithoutHalves) {
+TEST(BuiltinDenoiser, WorksWithoutHalves) {
   const std::vector<float> truth = ramp();
   const std::vector<float> picture = noisy(truth, 1);
   const auto result = BuiltinDenoiser().filter({.size = kRampSize, .colour = picture}, {}, {});
@@ -91,8 +91,8 @@ TEST(BuiltinDenoiser, LeavesAPictureWithoutNoiseAsItIs) {
   EXPECT_LT(squared_error(*result, truth), 1e-4);
 }
 
-TEST(BuiltinDenoiser, KeepsEdgesThatFeaturesKnow) {
-  // Two walls, one of which faces less light than the noise of a pixel can tell.
+TEST(BuiltinDenoiser, KeepsEdgesOfFeatures) {
+  // Two walls, one of which receives less light than the noise of a pixel.
   std::vector<float> truth = ramp();
   Features features{std::vector<float>(3 * kRampPixels, 0.5F),
                     std::vector<float>(3 * kRampPixels, 0.F)};
@@ -136,7 +136,7 @@ TEST(BuiltinDenoiser, TakesPicturesOfAnySize) {
   }
 }
 
-TEST(BuiltinDenoiser, TakesValuesThatAreNoNumbersAsBlack) {
+TEST(BuiltinDenoiser, ReplacesNanByBlack) {
   std::vector<float> picture = ramp();
   picture[0] = std::numeric_limits<float>::quiet_NaN();
   picture[100] = std::numeric_limits<float>::infinity();
@@ -153,7 +153,7 @@ TEST(BuiltinDenoiser, MakesTheSamePixelsOnAnyThreads) {
   EXPECT_TRUE(*on_all.result == *Filtered(truth).result);
 }
 
-TEST(BuiltinDenoiser, EndsWhenTold) {
+TEST(BuiltinDenoiser, StopsOnRequest) {
   double most = 0.0;
   const std::vector<float> truth = ramp();
   EXPECT_TRUE(Filtered(truth, {}, [&](double done) {
@@ -164,7 +164,7 @@ TEST(BuiltinDenoiser, EndsWhenTold) {
   EXPECT_FALSE(Filtered(truth, {}, [](double done) { return done < 0.2; }).result);
 }
 
-TEST(BuiltinDenoiser, RefusesWhatDoesNotFit) {
+TEST(BuiltinDenoiser, RefusesOtherSizes) {
   const std::vector<float> truth = ramp();
   const BuiltinDenoiser denoiser;
   EXPECT_THROW(denoiser.filter({.size = {7, 7}, .colour = truth}, {}, {}), std::invalid_argument);

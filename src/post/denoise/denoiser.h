@@ -16,17 +16,17 @@ namespace ajar {
 struct NoisyPicture {
   Vec2i size{0, 0};
   std::span<const float> colour;
-  /// Two pictures of independent samples whose mean it is, if they are known: they tell noise from
-  /// light. Both empty if not.
+  /// Two pictures of independent samples whose mean it is, if they are known: their difference
+  /// shows the noise.
   std::array<std::span<const float>, 2> halves = {};
-  /// Nobody looks at it: a filter that is nearly the same, and faster, will do.
+  /// For previews: a nearly equal, faster filter will do.
   bool roughly = false;
 };
 
 /// A filter that takes the noise of rendering out of a picture.
 class Denoiser {
  public:
-  /// Told how much is done, in [0, 1], by any thread; false ends the work.
+  /// Receives the finished part, in [0, 1], from any thread; false cancels the work.
   using Progress = std::function<bool(double done)>;
 
   virtual ~Denoiser() = default;
@@ -46,12 +46,12 @@ class Denoiser {
 /// Values that are no numbers, or infinite, as 0.
 std::vector<float> finite_values(std::span<const float> values);
 
-/// Names of what `--denoise` takes.
+/// Values of `--denoise`.
 std::span<const std::string> denoiser_names();
 
-/// Of a name: null for "none"; "auto" is "oidn" where that is found, else "builtin". Raises
+/// Denoiser by name: null for "none"; "auto" is "oidn" where that is found, else "builtin". Raises
 /// UsageError for other names, and for "oidn" where it is not found, saying how to get it. `note`:
-/// what is to be said once where "auto" does not find it.
+/// a remark if "auto" does not find it.
 std::shared_ptr<const Denoiser> find_denoiser(const std::string& name, std::string* note = nullptr);
 
 }  // namespace ajar

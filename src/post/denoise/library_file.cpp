@@ -62,7 +62,7 @@ std::optional<FileHeader> header_of(const PartialFile& file) {
   return header[0];
 }
 
-/// Whether both are for the same kind of processor. The running program is its own witness.
+/// True if both are for the same kind of processor. The running program is the reference.
 bool runs_here(const FileHeader& header) {
   const std::optional<FileHeader> own = header_of(PartialFile("/proc/self/exe"));
   return !own ||
@@ -70,7 +70,7 @@ bool runs_here(const FileHeader& header) {
           own->e_ident[EI_DATA] == header.e_ident[EI_DATA] && own->e_machine == header.e_machine);
 }
 
-/// Whether the loader finds names and symbols by it.
+/// True if the loader finds names and symbols by it.
 bool leads_to_symbols(const std::vector<Dynamic>& dynamic, const std::vector<Segment>& segments) {
   const auto is_loaded = [&](std::uint64_t address) {
     return std::any_of(segments.begin(), segments.end(), [&](const Segment& segment) {
@@ -109,7 +109,7 @@ std::string library_complaint(const std::filesystem::path& path) {
       })) {
     return kShort;
   }
-  // Nobody needs the table of sections, but it is the end of the file.
+  // The table of sections is unused, but it is the end of the file.
   if (!file.has(header->e_shoff, std::uint64_t{header->e_shnum} * header->e_shentsize)) {
     return kShort;
   }

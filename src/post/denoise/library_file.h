@@ -4,10 +4,10 @@
 
 namespace ajar {
 
-/// Why a file cannot be loaded as a library by this program, e.g. "it is cut short"; empty if
-/// nothing speaks against it. To be asked before the system's loader is: that waits for named
-/// pipes, and a file that ends before what it promises ends the program that loads it (SIGBUS).
-/// Looks at what leads the loader through the file (ELF), not at the code and the data in it.
+/// Reason why a file cannot be loaded as a library by this program, e.g. "it is cut short"; empty
+/// if there is none. Checked before the system's loader runs: that waits for named pipes, and a
+/// truncated file ends the program that loads it (SIGBUS). Reads the structures that lead the
+/// loader through the file (ELF), not the code and the data in it.
 std::string library_complaint(const std::filesystem::path& path);
 
 }  // namespace ajar

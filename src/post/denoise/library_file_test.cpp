@@ -29,7 +29,7 @@ class LibraryFile : public ::testing::Test {
   fs::path folder_ = fs::temp_directory_path() / ("ajar-library-" + std::to_string(getpid()));
 };
 
-TEST_F(LibraryFile, WholeLibrariesAreTaken) {
+TEST_F(LibraryFile, CompleteLibrariesAreAccepted) {
   const fs::path library = testing::loaded_library();
   if (library.empty()) GTEST_SKIP() << "linked into the program";
   EXPECT_EQ(library_complaint(library), "");
@@ -37,7 +37,7 @@ TEST_F(LibraryFile, WholeLibrariesAreTaken) {
   EXPECT_EQ(library_complaint(folder_ / "link.so"), "");
 }
 
-TEST_F(LibraryFile, ThoseThatAreCutAnywhereAreNot) {
+TEST_F(LibraryFile, TruncatedLibrariesAreRefused) {
   const fs::path library = testing::loaded_library();
   if (library.empty()) GTEST_SKIP() << "linked into the program";
   std::ifstream file(library, std::ios::binary);
@@ -54,7 +54,7 @@ TEST_F(LibraryFile, ThoseThatAreCutAnywhereAreNot) {
   EXPECT_NE(said(whole.substr(0, size / 2) + std::string(size - size / 2, '\0')), "");
 }
 
-TEST_F(LibraryFile, OthersAreNot) {
+TEST_F(LibraryFile, OtherFilesAreRefused) {
   EXPECT_EQ(said(""), "it is empty");
   EXPECT_EQ(said("#!/bin/sh\n"), "it is no library");
   EXPECT_EQ(said(std::string(5000, '\0')), "it is no library");

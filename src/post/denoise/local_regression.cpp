@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kWindow = PostHeuristics::kRegressionWindow;
 constexpr int kPatch = PostHeuristics::kRegressionPatch;
-// Of a tile: lanes, so that the compiler makes vectors of loops over them.
+// Size of a tile: lanes, so that the compiler vectorises loops over them.
 constexpr int kWidth = 32;
 constexpr int kHeight = 16;
 constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
@@ -57,8 +57,8 @@ class Part {
   std::vector<float> values_;
 };
 
-/// How far the guide around each pixel of a tile differs from that around the pixel at an offset,
-/// beyond what noise explains; 0 for none, of 1 where it is as large as noise.
+/// Distance of the guide around each pixel of a tile from that around the pixel at an offset,
+/// beyond the noise; 0 for none, of 1 where it is as large as noise.
 class PatchDistance {
  public:
   PatchDistance(const Part& guide, const Part& variance) : guide_(guide), variance_(variance) {}
@@ -107,8 +107,8 @@ class PatchDistance {
   std::array<float, std::size_t{kRows} * kWidth> sums_{};
 };
 
-/// Sums for weighted least squares at each pixel of a tile. Models are relative to the pixel: what
-/// they say there is their constant.
+/// Sums for weighted least squares at each pixel of a tile. Models are relative to the pixel: their
+/// value there is their constant.
 class Sums {
  public:
   explicit Sums(std::size_t slopes)
@@ -128,7 +128,7 @@ class Sums {
     }
   }
 
-  /// What the models say at a pixel.
+  /// Predictions of the models at a pixel.
   std::array<float, kChannels> solve(std::size_t pixel) const {
     const float whole = sums_[0][pixel];
     std::size_t at = 1;

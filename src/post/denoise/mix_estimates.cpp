@@ -54,7 +54,7 @@ float squared_bias(const Replicates& biased, const Replicates& unbiased, std::si
     return std::clamp((biased[a][value] - unbiased[b][value]) * scale,
                       -PostHeuristics::kMostDifference, PostHeuristics::kMostDifference);
   };
-  // Whoever is compared with whom, the other two are free.
+  // Pairings of two replicates, with the other two free.
   constexpr std::array<std::array<std::size_t, kParts>, 6> kPairs = {
       {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
   float sum = 0.F;
@@ -80,8 +80,8 @@ float variance(const BiasedEstimate& estimate, std::size_t value, float scale) {
 /// Squared errors of an estimate, relative, mean over channels and patches.
 struct SquaredError {
   Plane noise;
-  Plane bias;     ///< of a replicate
-  Plane missing;  ///< of that, what it had before the filter
+  Plane bias;     ///< bias of a replicate
+  Plane missing;  ///< part of `bias` from before the filter
 
   float of_whole(std::size_t i) const {
     return noise.values[i] + missing.values[i] + (bias.values[i] - missing.values[i]) / kParts;

@@ -9,8 +9,8 @@ namespace ajar {
 /// A picture made by something that may be wrong, such as a filter: RGB interleaved, row by row.
 struct BiasedEstimate {
   std::vector<float> pixels;
-  Replicates replicates;  ///< the same made of each replicate alone; at least four
-  /// What they were made of, if that may lack light which the unbiased replicates have; else empty.
+  Replicates replicates;  ///< estimates of each replicate alone; at least four
+  /// Input of the estimates, if it may lack light which the unbiased replicates have; else empty.
   Replicates found{};
 };
 
@@ -21,24 +21,23 @@ struct MixedEstimate {
   /// large as it is around.
   std::vector<float> error;
   std::vector<std::vector<float>>
-      shares;  ///< of each estimate, one value for each pixel; they sum to 1
+      shares;  ///< weights of each estimate, one value for each pixel; they sum to 1
 };
 
 /// Mixes estimates in inverse proportion to the squares of their squared errors, patch by patch:
-/// that to the squared errors themselves, best for estimates that know nothing of each other, gives
-/// those that are worse too much (docs/notebook/denoising.md). With replicates X
-/// that are unbiased, and estimates D of them, none of which has seen what it is compared with,
+/// proportion to the squared errors themselves, best for independent estimates, gives too much
+/// weight to the worse ones (docs/notebook/denoising.md). With replicates X that are unbiased, and
+/// estimates D of them, independent of those that they are compared with,
 ///
 ///     (D₁ − X₂) · (D₃ − X₄)
 ///
 /// is the squared bias of D without bias (ours; docs/methods/denoising.md): that of a picture of as
-/// many samples as one replicate. What a filter does wrong falls with the noise that it sees, so a
-/// quarter of that is taken for the whole. Light that has not been found yet does not come with
-/// fewer dots: all of the squared bias counts that the estimate had before the filter. It is
-/// averaged over all orders of four replicates and
-/// over a patch, relative to the estimates, so that bright pixels do not decide; the spread of the
-/// replicates of D is added to it. Errors of the mixture are at most the mean of those of its
-/// parts, weighted by their shares, which is what `error` says.
+/// many samples as one replicate. The bias of a filter falls with the noise of its input, so a
+/// quarter of that is taken for the whole. Light that has not been found yet does not: all of the
+/// squared bias counts that the estimate had before the filter. It is averaged over all orders of
+/// four replicates and over a patch, relative to the estimates, so that bright pixels do not
+/// dominate; the spread of the replicates of D is added to it. Errors of the mixture are at most
+/// the mean of those of its parts, weighted by their shares, which is the value of `error`.
 ///
 /// `unbiased`: as many replicates as the estimates have. Raises std::invalid_argument if there are
 /// no estimates, too few replicates, or sizes that do not fit.

@@ -60,22 +60,22 @@ std::vector<float> stripes() {
   return truth;
 }
 
-TEST(MixEstimates, TakesTheFilterWhereItIsRight) {
+TEST(MixEstimates, PrefersTheFilterWhereItIsUnbiased) {
   const std::vector<float> truth(kMixedValues, 0.7F);
   const MixedEstimate mixed = mixture_of(truth, 0.5F);
   EXPECT_GT(mean_of(mixed.shares[0]), 0.9);
   EXPECT_LT(error_of(mixed.pixels, truth), 0.035) << "the mean has 0.175";
 }
 
-TEST(MixEstimates, TakesTheUnfilteredPictureWhereTheFilterHarms) {
+TEST(MixEstimates, PrefersTheUnfilteredPictureWhereTheFilterIsBiased) {
   const MixedEstimate mixed = mixture_of(stripes(), 0.1F);
   EXPECT_GT(mean_of(mixed.shares[1]), 0.9);
   EXPECT_LT(error_of(mixed.pixels, stripes()), 0.1) << "the filter makes 0.5 of it";
 }
 
 /// Filters do better the less noise they see. If the bias of a replicate were that of the whole,
-/// both would have equal shares here, and grain would stay in the picture.
-TEST(MixEstimates, BelievesThatTheWholeIsFilteredBetterThanAReplicate) {
+/// both would have equal weights here, and noise would stay in the picture.
+TEST(MixEstimates, AssumesThatTheMeanIsFilteredBetterThanAReplicate) {
   const std::vector<float> truth(kMixedValues, 1.F);
   const Replicates replicates = noisy(truth, 0.6F);
   const std::vector<float> mean = replicate_mean(replicates);
@@ -86,7 +86,7 @@ TEST(MixEstimates, BelievesThatTheWholeIsFilteredBetterThanAReplicate) {
 }
 
 /// Light that a quarter of the samples has not found, all of them need not have found either.
-TEST(MixEstimates, TakesLittleOfWhatMissesLight) {
+TEST(MixEstimates, WeighsDownEstimatesThatMissLight) {
   const Replicates replicates = noisy(std::vector<float>(kMixedValues, 1.F), 0.3F);
   const BiasedEstimate noise{replicate_mean(replicates), replicates};
   BiasedEstimate dark{std::vector<float>(kMixedValues, 0.8F),
@@ -99,8 +99,8 @@ TEST(MixEstimates, TakesLittleOfWhatMissesLight) {
   EXPECT_LT(mean_of(mix_estimates(kMixedSize, {dark, noise}, replicates).shares[0]), 0.45);
 }
 
-/// What would make a mixture with the unfiltered picture consistent: with less noise the share of a
-/// filter that is wrong falls faster than the variance.
+/// Condition for a consistent mixture with the unfiltered picture: with less noise the weight of a
+/// biased filter falls faster than the variance.
 TEST(MixEstimates, LosesBiasAsNoiseFalls) {
   const double some = mean_of(mixture_of(stripes(), 0.4F).shares[0]);
   const double less = mean_of(mixture_of(stripes(), 0.1F).shares[0]);
@@ -127,7 +127,7 @@ TEST(MixEstimates, ChoosesByPatch) {
   }
 }
 
-TEST(MixEstimates, KnowsTheErrorThatIsLeft) {
+TEST(MixEstimates, EstimatesItsOwnError) {
   for (const float noise : {0.1F, 0.4F}) {
     const MixedEstimate mixed = mixture_of(stripes(), noise);
     const double said = error_of(mixed.error, std::vector<float>(kMixedValues, 0.F));
@@ -140,7 +140,7 @@ TEST(MixEstimates, KnowsTheErrorThatIsLeft) {
 
 /// The squared bias is estimated without bias: of a filter that is right it is nothing on average,
 /// so that no more than the spread of the filtered replicates is said.
-TEST(MixEstimates, SaysNothingOfABiasThatIsNotThere) {
+TEST(MixEstimates, ReportsNoBiasOfAnUnbiasedFilter) {
   const std::vector<float> truth(kMixedValues, 1.F);
   const Replicates replicates = noisy(truth, 0.5F);
   const MixedEstimate mixed =
@@ -150,7 +150,7 @@ TEST(MixEstimates, SaysNothingOfABiasThatIsNotThere) {
   EXPECT_LT(error_of(mixed.error, std::vector<float>(kMixedValues, 0.F)), 0.1);
 }
 
-TEST(MixEstimates, TakesNoFireflyForLightThatTheFilterLost) {
+TEST(MixEstimates, DistinguishesFirefliesFromLostLight) {
   const std::vector<float> truth(kMixedValues, 1.F);
   Replicates replicates(4, truth);
   replicates[2][3 * (48 * 96 + 48) + 1] = 1000.F;
@@ -160,7 +160,7 @@ TEST(MixEstimates, TakesNoFireflyForLightThatTheFilterLost) {
   EXPECT_LT(mixed.pixels[3 * (48 * 96 + 48) + 1], 1.1F);
 }
 
-TEST(MixEstimates, FirefliesAreWhatMostReplicatesDoNotSee) {
+TEST(MixEstimates, FirefliesAreAbsentFromMostReplicates) {
   const std::vector<float> filtered = {1.F, 1.F, 1.F, 0.F};
   // A firefly; a light that the filter lost; a little noise; a light before nothing.
   const Replicates replicates = {
@@ -173,7 +173,7 @@ TEST(MixEstimates, FirefliesAreWhatMostReplicatesDoNotSee) {
   EXPECT_EQ(kept[3], 6.F);
 }
 
-TEST(MixEstimates, RefusesWhatDoesNotFit) {
+TEST(MixEstimates, RefusesOtherSizes) {
   const std::vector<float> picture(kMixedValues, 1.F);
   const Replicates four(4, picture);
   EXPECT_THROW(mix_estimates(kMixedSize, {}, four), std::invalid_argument);

@@ -15,7 +15,7 @@ namespace {
 
 /// Memory that the library may take, MiB: it cuts larger pictures into tiles. Its own default.
 constexpr int kMostMemory = 3000;
-/// Of its network and its pictures; measured with 2.5.1.
+/// Memory of its network and its pictures; measured with 2.5.1.
 constexpr std::uint64_t kBytesPerPixel = 700;
 
 template <typename Handle>
@@ -110,10 +110,9 @@ class OidnDevice {
   Owned<OidnLibrary::Device> device_;
 };
 
-/// How often a picture has to be halved (below 0: doubled) for the library, which finds its
-/// exposure in floats and takes what is below 1e-8 as black: 0 where that does it no harm, so that
-/// all pictures that one meets are what the library makes of them. Of 1e37 everywhere it makes 0,
-/// of 1e-8 blots that are 400 times as bright (2.5.1).
+/// Number of times that a picture has to be halved (below 0: doubled) for the library, which
+/// computes its exposure in floats and takes values below 1e-8 as black: 0 for all usual pictures.
+/// Constant 1e37 becomes 0, and constant 1e-8 blots that are 400 times as bright (2.5.1).
 int halvings_for_library(const std::vector<float>& colour) {
   constexpr int kBrightest = 40;
   constexpr int kDimmest = -20;
@@ -128,7 +127,7 @@ int halvings_for_library(const std::vector<float>& colour) {
   return level > kBrightest || level < kDimmest ? level : 0;
 }
 
-/// By a power of two; what is too large for a float is as large as one can be.
+/// By a power of two; values too large for a float become the largest float.
 void multiply(std::vector<float>& values, int exponent) {
   constexpr float kMost = std::numeric_limits<float>::max();
   for (float& value : values) value = std::clamp(std::ldexp(value, exponent), -kMost, kMost);

@@ -47,7 +47,7 @@ class OidnDenoiserTest : public ::testing::Test {
 
 TEST_F(OidnDenoiserTest, NamesItsVersion) { EXPECT_TRUE(denoiser_->name().starts_with("oidn 2.")); }
 
-TEST_F(OidnDenoiserTest, TakesNoiseAndKeepsLight) {
+TEST_F(OidnDenoiserTest, RemovesNoiseAndKeepsLight) {
   const std::vector<float> noisy = noisy_ramp();
   const auto clean = denoiser_->filter({kSize, noisy}, {}, {});
   ASSERT_TRUE(clean);
@@ -56,7 +56,7 @@ TEST_F(OidnDenoiserTest, TakesNoiseAndKeepsLight) {
   EXPECT_NEAR(std::accumulate(clean->begin(), clean->end(), 0.0) / before, 1.0, 0.01);
 }
 
-TEST_F(OidnDenoiserTest, KeepsEdgesThatFeaturesKnow) {
+TEST_F(OidnDenoiserTest, KeepsEdgesOfFeatures) {
   // Stripes of albedo under even light.
   Features features{std::vector<float>(3 * kPixels), std::vector<float>(3 * kPixels, 0.577F)};
   std::vector<float> noisy = noisy_ramp();
@@ -78,7 +78,7 @@ TEST_F(OidnDenoiserTest, KeepsEdgesThatFeaturesKnow) {
   EXPECT_NEAR(with, 4.0, 0.2);
 }
 
-TEST_F(OidnDenoiserTest, TakesValuesThatAreNoNumbersAsBlack) {
+TEST_F(OidnDenoiserTest, ReplacesNanByBlack) {
   std::vector<float> noisy = noisy_ramp();
   noisy[100] = std::numeric_limits<float>::quiet_NaN();
   noisy[1000] = std::numeric_limits<float>::infinity();
@@ -106,7 +106,7 @@ TEST_F(OidnDenoiserTest, KeepsLightHoweverBrightOrDim) {
   }
 }
 
-TEST_F(OidnDenoiserTest, EndsWhenItIsTold) {
+TEST_F(OidnDenoiserTest, StopsOnRequest) {
   const std::vector<float> noisy = noisy_ramp();
   EXPECT_FALSE(denoiser_->filter({kSize, noisy}, {}, [](double) { return false; }));
 }

@@ -154,7 +154,7 @@ std::shared_ptr<const OidnLibrary> load(const fs::path& place, std::string& trou
       return fail(complaint);
     }
   }
-  // Never closed: its threads may outlive whoever used it.
+  // Never closed: its threads may outlive their user.
   void* library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* why = dlerror();  // NOLINT(concurrency-mt-unsafe): once per process
@@ -186,7 +186,7 @@ std::vector<fs::path> oidn_places() {
     std::error_code error;
     if (fs::exists(fs::symlink_status(folder / kName, error))) places.push_back(folder / kName);
   }
-  // By its name alone nobody has looked at it before it is loaded.
+  // By its name alone it cannot be checked before it is loaded.
   if (places.size() == before) places.emplace_back(kName);
   for (const char* variable : {"VIRTUAL_ENV", "CONDA_PREFIX"}) {
     add_python_packages(from_environment(variable), places);

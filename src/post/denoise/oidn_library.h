@@ -41,11 +41,10 @@ struct OidnLibrary {
   std::string path;  ///< where it was found
 };
 
-/// Where it is looked for, in this order: the file or folder that the environment variable
-/// AJAR_OIDN names (then nowhere else), packages of Python beside the one that this code is part
-/// of, the cache folder into which `./dev setup` unpacks it, what
-/// the system's loader finds, packages of Python. What is there, but no whole library for this
-/// machine, is passed over before anything of it is loaded.
+/// Search path, in this order: the file or folder that the environment variable AJAR_OIDN names
+/// (then nowhere else), packages of Python beside the one that this code is part of, the cache
+/// folder into which `./dev setup` unpacks it, the system's loader, packages of Python. Files that
+/// are no complete library for this machine are skipped before anything of them is loaded.
 std::vector<std::filesystem::path> oidn_places();
 
 /// The first that can be loaded, once per process; null if there is none. `trouble`: why each that

@@ -157,7 +157,7 @@ void Bsdf::add_other_lobes(int chosen, const Vec3& wo, const Weights& forward,
 
 std::optional<int> Bsdf::choose(const Weights& weights, float& u) const {
   int chosen = 0;
-  // The last lobe with any probability takes what rounding leaves of the unit interval.
+  // The last lobe of positive probability covers the rounding at the end of the unit interval.
   int last = count_ - 1;
   while (last > 0 && !(weights.probability[last] > 0.F)) --last;
   while (chosen < last && u >= weights.probability[chosen]) {

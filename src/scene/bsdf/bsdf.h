@@ -11,33 +11,33 @@
 
 namespace ajar {
 
-/// Whether the density of the opposite direction is wanted, too.
+/// Selects whether the density of the opposite direction is computed, too.
 enum class Reverse : std::uint8_t { Compute, Skip };
 
 struct BsdfValue {
   Spectrum value;       ///< f · |cos θ| of the lobes that are not specular
-  Pdf<SolidAngle> pdf;  ///< of wi given wo
+  Pdf<SolidAngle> pdf;  ///< density of wi given wo
 };
 
-/// How a direction was scattered: a part of the path, beside the direction itself.
+/// Scattering event: a part of the path, beside the direction itself.
 struct ScatterEvent {
   static constexpr std::int8_t kRough = -1;
-  /// Number of the specular lobe, or `kRough` for all others, which are told apart by nothing.
+  /// Number of the specular lobe, or `kRough` for all others together.
   std::int8_t lobe = kRough;
   bool transmission = false;
   bool specular() const { return lobe != kRough; }
   bool operator==(const ScatterEvent&) const = default;
 };
 
-/// Which lobes are to be inverted: all that are not specular, or only those that are diffuse.
+/// Lobes to invert: all that are not specular, or only the diffuse ones.
 enum class Inverted : std::uint8_t { Rough, Diffuse };
 
 struct BsdfSample {
-  Vec3 wi;          ///< unit, world space, points away from the surface
-  Spectrum weight;  ///< f · |cos θ| / pdf, adjoint corrections included
-  DirectionPdf
-      pdf;  ///< of wi given wo: of all lobes that are not specular, or of the one specular lobe
-  DirectionPdf reverse_pdf;  ///< of wo given wi, same lobes
+  Vec3 wi;           ///< unit, world space, points away from the surface
+  Spectrum weight;   ///< f · |cos θ| / pdf, adjoint corrections included
+  DirectionPdf pdf;  ///< density of wi given wo: of all lobes that are not specular, or of the one
+                     ///< specular lobe
+  DirectionPdf reverse_pdf;  ///< density of wo given wi, same lobes
   bool transmission = false;
   std::int8_t lobe = ScatterEvent::kRough;  ///< see ScatterEvent
   float eta = 1.F;  ///< index of refraction on wi's side over that on wo's; 1 unless refracted
@@ -64,9 +64,9 @@ struct BsdfSample {
 /// Diffuse lobes fill the whole hemisphere of ng. Lobes that depend on a half-vector scatter only
 /// pairs that ns sees on the same sides as ng does.
 ///
-/// Which lobes count as reflection or transmission is decided by the geometric normal, so that
-/// light never leaks through a surface. Directions within `kGrazing` of either normal's plane
-/// scatter nothing.
+/// The geometric normal decides which lobes count as reflection or transmission, so that light
+/// never leaks through a surface. Directions within `kGrazing` of either normal's plane scatter
+/// nothing.
 class Bsdf {
  public:
   static constexpr int kMaxLobes = 8;
@@ -101,17 +101,17 @@ class Bsdf {
   /// inverted, or if `wo` grazes the surface so much that nothing is sampled.
   std::optional<LobeInverse> inverse(const Vec3& wo, const Vec3& wi, float u_lobe,
                                      Inverted lobes) const;
-  /// The numbers by which `sample` goes from `wo` to `wi` by this event, the lobe's too. What it
-  /// forgets (which of several lobes it was, the numbers that it did not look at) is taken from
-  /// `fresh`: if that is uniform, the result is distributed as the numbers of all samples that come
-  /// to `wi`; their density is that of the sample. Empty if it never does. Of specular events the
-  /// direction is not looked at.
+  /// The numbers by which `sample` goes from `wo` to `wi` by this event, the lobe's too.
+  /// Undetermined numbers (the choice among several lobes, unused ones) are taken from `fresh`: if
+  /// that is uniform, the result is distributed as the numbers of all samples that give `wi`; their
+  /// density is that of the sample. Empty if it never does. The direction of specular events is
+  /// ignored.
   std::optional<BsdfUniforms> invert(const Vec3& wo, const Vec3& wi, ScatterEvent event,
                                      const BsdfUniforms& fresh) const;
-  /// What `sample` makes of `wo` by this specular event; empty if it never does.
+  /// Sample of `wo` by this specular event; empty if the event is impossible.
   std::optional<BsdfSample> specular(const Vec3& wo, ScatterEvent event, TransportMode mode) const;
 
-  /// Whether this event of going straight on adds nothing to the depth of a path.
+  /// True for straight transmission that does not count in the depth of a path.
   bool is_uncounted(ScatterEvent event) const;
 
   /// False if all lobes are specular (or there are none): connecting to this point is pointless.
@@ -120,7 +120,7 @@ class Bsdf {
   /// Index of refraction behind the surface over that in front, as the first rough dielectric among
   /// the lobes has it; 1 if there is none.
   float rough_eta() const;
-  /// Approximate directional albedo for direction `wo`: what the albedo AOV shows.
+  /// Approximate directional albedo for direction `wo`, for the albedo AOV.
   Spectrum albedo(const Vec3& wo) const;
 
   Vec3 ng() const { return ng_.unpack(); }
@@ -150,13 +150,13 @@ class Bsdf {
 
   const Entry& entry(int index) const { return slots_[index].entry; }
   Pair classify(const Vec3& wo, const Vec3& wi) const;
-  /// How the choice among the lobes is made when light comes from `local_wo`.
+  /// Probabilities of the lobes for `local_wo`.
   Weights weights(const Vec3& local_wo) const;
   /// The lobe that `u` chooses, which is made a number for that lobe alone; none if it is
   /// impossible.
   std::optional<int> choose(const Weights& weights, float& u) const;
-  /// The numbers by which lobe `index` is chosen and comes to a direction; `u` as in `choices` of
-  /// the lobes.
+  /// The numbers by which lobe `index` is chosen and gives a direction; `u` as in `choices` of the
+  /// lobes.
   UnitInterval choices(int index, const Weights& weights, const Vec3& wo, const Vec3& wi,
                        bool transmission, float& u) const;
   Spectrum value(int index, const Pair& pair, TransportMode mode) const;

@@ -98,7 +98,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
       .add(CoatedDiffuse(tint, {1.5F, 0.F}, {Spectrum(0.1F, 0.3F, 1.F), true}));
   begin("full oren-nayar").add(FullOrenNayar(tint, 0.5F));
   for (const float alpha : {0.F, 0.3F}) {
-    // White: what the varnish reflects must be missing below.
+    // White: the varnish's reflection must be missing below.
     Bsdf& varnished = begin("varnished mirror " + std::to_string(alpha));
     if (alpha > 0.F) {
       varnished.add(RoughCoat{ggx(alpha, alpha), {kVarnishIndex}}, Spectrum(0.7F));

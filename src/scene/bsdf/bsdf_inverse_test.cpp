@@ -39,7 +39,8 @@ std::optional<double> stretch(const Bsdf& bsdf, const Vec3& wo, const BsdfUnifor
   return double{length(normal)};
 }
 
-/// The same; empty, too, where half the step has another answer, by curvature or by roundings.
+/// Derivative of the inverse; empty, too, where half the step has another answer, by curvature or
+/// by roundings.
 std::optional<double> stretch(const Bsdf& bsdf, const Vec3& wo, const BsdfUniforms& u) {
   const std::optional<double> wide = stretch(bsdf, wo, u, 1e-3F);
   const std::optional<double> narrow = stretch(bsdf, wo, u, 5e-4F);
@@ -130,7 +131,7 @@ TEST(BsdfInverse, ASpecularEventIsRepeated) {
   EXPECT_GT(events, 3000);
 }
 
-TEST(BsdfInverse, SaysWhereALobeNeverGoes) {
+TEST(BsdfInverse, IsEmptyOutsideOfALobesSupport) {
   const Vec3 up(0.F, 0.F, 1.F);
   const Vec3 sideways(0.6F, 0.F, 0.8F);
   Bsdf matt(Frame(), up);

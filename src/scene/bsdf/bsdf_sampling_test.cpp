@@ -55,7 +55,7 @@ std::vector<double> expected_probabilities(const Bsdf& bsdf, const Vec3& wo) {
   return p;
 }
 
-/// How many standard deviations the χ² statistic lies above its mean (Wilson & Hilferty 1931).
+/// Standard deviations of the χ² statistic above its mean (Wilson & Hilferty 1931).
 double chi_square_sigmas(const std::vector<double>& p, const std::vector<int>& counts, int n) {
   double statistic = 0.0;
   double pooled_expected = 0.0;
@@ -120,7 +120,7 @@ TEST(Bsdf, NeedleLobesIntegrateTheirSupport) {
         bsdf.add(Conductor{Microfacets(model, alpha, alpha), metal});
         const Vec3 wo = direction(theta, 30.F);
         const Vec3 mirrored(-wo.x, -wo.y, wo.z);
-        const float radius = 0.7F * alpha;  // of the cap, as a chord
+        const float radius = 0.7F * alpha;  // chord radius of the cap
         double sum = 0.0;
         double squares = 0.0;
         constexpr int kSamples = 40000;

@@ -33,7 +33,7 @@ TEST(Bsdf, IgnoresBlackLobesAndLobesBeyondTheLimit) {
   EXPECT_NEAR(bsdf.albedo(kZenith)[0], 0.1F * Bsdf::kMaxLobes, 1e-5F);
 }
 
-TEST(Bsdf, OfNextToNothingScattersNothing) {
+TEST(Bsdf, OfNegligibleWeightScattersNothing) {
   Bsdf bsdf(Frame(), Vec3(0.F, 0.F, 1.F));
   bsdf.add(Lambert{}, Spectrum(1e-40F));
   bsdf.add(Mirror{}, Spectrum(1e-40F));

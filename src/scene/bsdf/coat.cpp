@@ -18,8 +18,8 @@ double diffuse_reflectance(double eta) {
          8.0 * n4 * (n4 + 1.0) / ((n2 + 1.0) * (n4 - 1.0) * (n4 - 1.0)) * std::log(eta);
 }
 
-/// What is left of diffuse light on one way through a layer of this optical thickness x:
-/// ∫ exp(−x/μ) 2μ dμ = (1 − x) exp(−x) + x² E₁(x).
+/// Transmittance of diffuse light through a layer of this optical thickness x: ∫ exp(−x/μ) 2μ dμ =
+/// (1 − x) exp(−x) + x² E₁(x).
 float mean_left(float thickness) {
   if (!(thickness > 0.F)) return 1.F;
   const auto x = static_cast<double>(std::min(thickness, 80.F));

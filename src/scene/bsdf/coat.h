@@ -5,13 +5,13 @@
 #include "scene/bsdf/microfacet_reflection.h"
 #include "scene/bsdf/under_layer.h"
 
-/// Transparent coats of a dielectric, on whatever is below: both sides of the surface are coated
-/// alike. A coat reflects part of the light and lets the rest through, twice for what the base
-/// scatters; `Coat::transmittance` is that share, so that coat and base together never reflect more
-/// than comes in.
+/// Transparent coats of a dielectric over any base: both sides of the surface are coated alike. A
+/// coat reflects part of the light and transmits the rest, twice for light that the base scatters;
+/// `Coat::transmittance` is that share, so that coat and base together never reflect more than
+/// comes in.
 namespace ajar {
 
-/// What is inside of a coat, seen from outside: `eta` ≥ 1 from either side.
+/// Fresnel term of the inside of a coat, seen from outside: `eta` ≥ 1 from either side.
 struct CoatFresnel {
   float eta = 1.5F;
   Spectrum operator()(float cos_i, bool /*front*/) const {
@@ -22,13 +22,14 @@ struct CoatFresnel {
 using RoughCoat = MicrofacetReflection<CoatFresnel>;
 using SmoothCoat = FresnelMirror<CoatFresnel>;
 
-/// How much light the facets of a rough coat let through to the base and back. Renderers differ.
+/// Transmittance of the facets of a rough coat to the base and back. Renderers differ.
 enum class CoatPass : std::uint8_t {
   Whole,     ///< all that they do not reflect
-  Smooth,    ///< as much as a smooth coat does, or `Whole` where that is less
-  Single,    ///< by `coat_table::refracted`; what is not goes back to the base
-  Lossy,     ///< the same, with what comes back by `coat_table::mean_reflected_inside`
-  LossySum,  ///< the same by `coat_table::sum_reflected_inside`
+  Smooth,    ///< as a smooth coat, or `Whole` where that is less
+  Single,    ///< by `coat_table::refracted`; the rest goes back to the base
+  Lossy,     ///< all that they do not reflect, with internal reflection by
+             ///< `coat_table::mean_reflected_inside`
+  LossySum,  ///< all that they do not reflect, with `coat_table::sum_reflected_inside`
 };
 
 /// A coat as its base sees it.
@@ -76,8 +77,7 @@ class Coat {
   }
 
  private:
-  /// α in steps of 1/65535, which is all that the tables tell apart; so that metals with their
-  /// coats stay small.
+  /// α in steps of 1/65535, the resolution of the tables; keeps metals with their coats small.
   static std::uint16_t packed_alpha(float alpha) {
     return alpha > 0.F ? static_cast<std::uint16_t>(std::ceil(std::min(alpha, 1.F) * 65535.F)) : 0;
   }
@@ -91,7 +91,7 @@ class Coat {
   std::uint8_t bounces_ = 0;
 };
 
-/// How the medium of a coat weakens light.
+/// Absorption by the medium of a coat.
 struct CoatInside {
   Spectrum depth{0.F};  ///< optical thickness of the coat, along the normal
   /// As if the coat bent nothing, and only on the ways in and out (Tungsten's plastics).
@@ -99,8 +99,8 @@ struct CoatInside {
 };
 
 /// Diffuse base under a coat, with the reflections between the two: T(θ_o) T(θ_i) r (1 + x + x² +
-/// …) / (π η²), x = r F a², where F is what the coat reflects of diffuse light from inside and a
-/// what one way through it leaves of that. T is weakened by exp(−depth / cos θ'), θ' being the
+/// …) / (π η²), x = r F a², where F is the coat's reflectance of diffuse light from inside and a
+/// the transmittance of one way through it. T is weakened by exp(−depth / cos θ'), θ' being the
 /// refracted angle (but see `CoatInside`). A white base gives all back that a clear coat lets
 /// through. Source: Wolff 1994, "Diffuse-reflectance model for smooth dielectric surfaces"; T of
 /// rough coats as above.
@@ -140,7 +140,7 @@ struct CoatedDiffuse : CosineSampled<CoatedDiffuse> {
 
 /// Reflectance of a metal under a coat for the cosines of both directions outside, with the
 /// reflections between the two as if both were smooth: T(θ_o) T(θ_i) R (1 + x + x² + …), x = R F,
-/// with R the metal's term inside of the coat, and F the smaller of what the coat reflects of the
+/// with R the metal's term inside of the coat, and F the smaller of the coat's reflectances of the
 /// two directions, so that no energy is gained.
 inline Spectrum coated_reflectance(const Spectrum& metal, const Coat& coat, float cos_o,
                                    float cos_i) {
@@ -151,11 +151,11 @@ inline Spectrum coated_reflectance(const Spectrum& metal, const Coat& coat, floa
 }
 
 /// Rough metal under a coat: light is refracted, reflected off the metal's facets and refracted
-/// again. What leaves the metal at an angle at which the coat reflects all of it is lost.
+/// again. Light that meets the coat from inside beyond the critical angle is lost.
 struct CoatedConductor {
   static constexpr bool kSpecular = false;
-  Microfacets facets;        ///< of the metal, with the blur of a rough coat
-  ConductorFresnel fresnel;  ///< of the metal relative to the coat
+  Microfacets facets;        ///< facets of the metal, with the blur of a rough coat
+  ConductorFresnel fresnel;  ///< index of the metal relative to the coat
   Coat coat;
 
   LobeValue evaluate(const Vec3& wo, const Vec3& wi, bool transmission, TransportMode) const {
@@ -246,8 +246,8 @@ struct CoatedConductorEcho : CosineSampled<CoatedConductorEcho> {
 /// Index of refraction of varnish. Source: KHR_materials_clearcoat.
 inline constexpr float kVarnishIndex = 1.5F;
 
-/// Varnish over a share of the surface. KHR_materials_clearcoat weakens the base once, by what the
-/// varnish reflects; here that is the more of the two directions, so that the base stays
+/// Varnish over a share of the surface. KHR_materials_clearcoat weakens the base once, by the
+/// varnish's reflectance; here that is the larger of the two directions, so that the base stays
 /// reciprocal, and reflects no more than comes in together with the varnish.
 struct Varnish {
   float alpha = 0.F;  ///< roughness; 0 for a smooth one
@@ -255,7 +255,7 @@ struct Varnish {
 
   float left(const Vec3& wo, const Vec3& wi) const {
     if (share == 0.F) return 1.F;
-    // It lets through more where the cosine is larger.
+    // The larger cosine has the higher transmittance.
     return covered(coat().transmittance(std::min(std::abs(wo.z), std::abs(wi.z))));
   }
   float left_albedo(const Vec3& wo) const {
@@ -272,7 +272,7 @@ struct Varnish {
 template <typename Base>
 using UnderVarnish = UnderLayer<Base, Varnish>;
 
-/// Both layers smooth: one mirror of what the coat and the metal below it reflect.
+/// Both layers smooth: one mirror with the reflectance of the coat and the metal below it.
 struct CoatedConductorFresnel {
   ConductorFresnel metal;  ///< relative to the coat
   Coat coat;               ///< a smooth one

@@ -26,14 +26,14 @@ float cosine_inside(int node) {
   return std::max(static_cast<float>(node) / (kCosinesInside - 1), 1e-4F);
 }
 
-/// A normal of facets, and the area of those that it stands for.
+/// A normal of facets, and the area of its cell.
 struct Facet {
   Vec3 normal;
   float area;
 };
 
-/// Midpoints of the distribution D cos θ, over half a turn: what is seen is mirrored in the other.
-/// The cumulative distribution is 1 − v², so that the long tails of GGX have enough of them.
+/// Midpoints of the distribution D cos θ, over half a turn: the other half is its mirror image. The
+/// cumulative distribution is 1 − v², so that the long tails of GGX have enough of them.
 std::vector<Facet> facets_of(FacetModel model, float alpha, int rings, int turns) {
   const bool is_beckmann = model == FacetModel::Beckmann || model == FacetModel::BeckmannSeparable;
   std::vector<Facet> facets;
@@ -109,7 +109,7 @@ class VisibleFacets {
   }
 
  private:
-  /// G2 / G1 of what leaves a facet this way, 0 on the wrong side.
+  /// G2 / G1 of light that leaves a facet this way, 0 on the wrong side.
   float left(const Vec3& wi, float side) const {
     if (!(wi.z * side > kGrazing)) return 0.F;
     const float cos_i = std::abs(wi.z);
@@ -121,8 +121,8 @@ class VisibleFacets {
   struct Visible {
     Vec3 normal;
     float cosine;    ///< to `wo_`
-    float area;      ///< that `wo_` sees
-    float mirrored;  ///< share of what it mirrors that no other facet is in the way of
+    float area;      ///< projected area visible from `wo_`
+    float mirrored;  ///< unmasked share of its reflection
   };
 
   Microfacets facets_;
@@ -229,7 +229,7 @@ class BoundaryTable {
                                  ? facets.reflected(1.F / kIndices[e])
                                  : fresnel_dielectric(cosine, 1.F / kIndices[e]).reflectance;
         sums[e] += share * static_cast<double>(cosine);
-        along_normal[e] = share;  // that of the last one
+        along_normal[e] = share;  // share of the last one
       }
     }
     for (std::size_t e = 0; e < kIndices.size(); ++e) {

@@ -31,7 +31,7 @@ constexpr std::array kFacetModels = {FacetModel::Ggx, FacetModel::GgxSeparable,
 // Off the nodes of the table, too.
 constexpr std::array<float, 3> kRoughnesses = {0.1F, 0.37F, 0.9F};
 
-TEST(CoatTable, IsWhatTheLobeOfTheBoundaryDoes) {
+TEST(CoatTable, MatchesTheLobeOfTheBoundary) {
   for (const FacetModel model : kFacetModels) {
     for (const float alpha : kRoughnesses) {
       for (const float eta : {1.33F, 1.55F}) {
@@ -77,8 +77,8 @@ TEST(CoatTable, TurnsBackDiffuseLightInsideAsTheLobeDoes) {
       }
       const float inside = coat_table::mean_reflected_inside(boundary);
       EXPECT_NEAR(inside, sum / kDirections, 6e-3) << static_cast<int>(model) << " " << alpha;
-      // Light that is neither turned back nor let out, which is as much as comes in (reciprocity),
-      // is lost.
+      // Light that is neither reflected back nor let out, which is as much as comes in
+      // (reciprocity), is lost.
       EXPECT_LE(inside, 1.F - coat_table::mean_refracted(boundary) / 2.25F + 1e-3F);
       EXPECT_NEAR(coat_table::sum_reflected_inside(boundary), inside * 63.F / 64.F, 2e-3F);
     }

@@ -174,12 +174,12 @@ TEST(Coat, KeepsItsRoughnessInSmallSteps) {
   EXPECT_NE(Coat(1.5F, 1e-9F).transmittance(0.3F), Coat(1.5F, 0.F).transmittance(0.3F));
 }
 
-TEST(UnderVarnish, IsSeenThroughTheCoatWhereItIs) {
+TEST(UnderVarnish, IsAttenuatedByThePartialCoat) {
   const DisneySpecular metal{{FacetModel::GgxSeparable, 0.3F, 0.3F},
                              {PackedSpectrum(Spectrum(0.9F)), 1.F}};
   const Vec3 wo = direction(30.F, 0.F);
   const Vec3 wi = direction(50.F, 170.F);
-  // That at the flatter of the two directions.
+  // Transmittance at the flatter of the two directions.
   const float through = 1.F - fresnel_dielectric(wi.z, 1.5F).reflectance;
   const LobeValue bare = metal.evaluate(wo, wi, false, TransportMode::Radiance);
   const LobeValue under = UnderVarnish<DisneySpecular>{metal, {0.F, 0.4F}}.evaluate(
@@ -216,7 +216,7 @@ TEST(CoatedConductor, SmoothLayersReflectAsPlanesDo) {
   EXPECT_NEAR(both(cosine, true)[0], series, 1e-5F);
 }
 
-TEST(CoatedConductor, MeetsTheMetalAsOftenAsItSays) {
+TEST(CoatedConductor, HasItsNumberOfBounces) {
   const ConductorFresnel metal(Spectrum(0.2F), Spectrum(2.F));
   const float cosine = 0.6F;
   const DielectricBoundary boundary = fresnel_dielectric(cosine, 1.5F);
@@ -259,7 +259,7 @@ double reflected_by_layers(const Microfacets& facets, const ConductorFresnel& me
   return sum / kPaths;
 }
 
-TEST(CoatedConductorEcho, MakesUpForWhatTheCoatTurnsBack) {
+TEST(CoatedConductorEcho, CompensatesInternalReflection) {
   const ConductorFresnel metal(Spectrum(0.2F), Spectrum(2.6F));
   const Vec3 up(0.F, 0.F, 1.F);
   for (const float alpha : {0.05F, 0.2F, 0.5F, 0.9F}) {

@@ -3,8 +3,8 @@
 
 namespace ajar {
 
-/// Probability of reflection where reflection and transmission are chosen in proportion to what
-/// they carry; −1 if they carry nothing.
+/// Probability of reflection where reflection and transmission are chosen in proportion to their
+/// energy; −1 if it is zero.
 inline float reflection_probability(float reflectance, const PackedSpectrum& reflect,
                                     const PackedSpectrum& transmit) {
   const float reflected = reflectance * reflect.average();
@@ -18,7 +18,7 @@ inline UnitInterval reflection_choices(float probability, bool transmission) {
 }
 
 /// Smooth boundary between two dielectrics: mirror reflection or refraction, chosen in proportion
-/// to what they carry. `reflect` and `transmit` tint the two.
+/// to their energy. `reflect` and `transmit` tint the two.
 struct SmoothDielectric {
   static constexpr bool kSpecular = true;
   PackedSpectrum reflect;
@@ -67,7 +67,8 @@ struct ThinDielectric {
   PackedSpectrum transmit;
   float eta = 1.5F;  ///< index of the pane over that around it
   bool polarised = false;
-  bool along_normal = false;  ///< `transmit` is that along the normal, of what absorbs on the way
+  bool along_normal = false;  ///< `transmit` is the transmittance along the normal, of an absorbing
+                              ///< sheet
   bool uncounted = false;     ///< see Bsdf::is_uncounted
 
   std::optional<LobeSample> sample(const Vec3& wo, const BsdfUniforms& u, const Vec3&,

@@ -4,8 +4,8 @@
 namespace ajar {
 
 /// Fresnel term of Disney's specular lobe: between the exact dielectric one and Schlick's, which
-/// starts at `r0`, each with its share. Seen from behind, it is the same: what is there is opaque,
-/// or air. Source: Burley 2015, as in pbrt-v3.
+/// starts at `r0`, each with its share. Seen from behind, it is the same: the inside is opaque, or
+/// air. Source: Burley 2015, as in pbrt-v3.
 struct DisneyFresnel {
   PackedSpectrum r0;
   float metallic = 0.F;
@@ -20,7 +20,8 @@ struct DisneyFresnel {
   }
 };
 
-/// The same where light goes in: from within, there is only the share that is glass.
+/// Fresnel term of Disney's glass where light goes in: from within, there is only the share that is
+/// glass.
 struct DisneyGlassFresnel : DisneyFresnel {
   float glass = 1.F;
 

@@ -9,7 +9,7 @@ struct DielectricBoundary {
   float cos_t;        ///< cosine of the refracted angle, ≥ 0; 0 under total internal reflection
 };
 
-/// Of light that swings in the plane of incidence, and across it.
+/// Reflectance of light polarised in the plane of incidence, and across it.
 struct PolarisedReflectance {
   float parallel;
   float perpendicular;

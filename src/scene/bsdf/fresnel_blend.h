@@ -60,7 +60,7 @@ struct FresnelBlend {
     if (came_first(from_coat, from_base, u)) return {0.0, coat};
     return {coat, 1.0 - coat};
   }
-  /// Of the base.
+  /// True if `u_lobe` selects the base.
   bool is_diffuse(const Vec3& wo, float u_lobe) const {
     return !(u_lobe < coat_probability(std::abs(wo.z)));
   }

@@ -7,13 +7,13 @@ namespace ajar {
 /// to each other. Source: Oren & Nayar 1994, section 4.4 (the functional approximation).
 struct FullOrenNayar : CosineSampled<FullOrenNayar> {
   PackedSpectrum reflectance;
-  float variance = 0.F;  ///< of the facets' slope angle, radians²
+  float variance = 0.F;  ///< variance of the facets' slope angle, radians²
 
   FullOrenNayar() = default;
   /// `sigma`: standard deviation of the facets' slope angle, radians.
   FullOrenNayar(const Spectrum& color, float sigma) : reflectance(color), variance(sigma * sigma) {}
 
-  /// That of light from the viewer's side, roughly.
+  /// Approximate albedo for light from the viewer's side.
   Spectrum albedo(const Vec3&) const {
     const Spectrum color = reflectance.unpack();
     return color * (1.F - 0.45F * variance / (variance + 0.33F)) +

@@ -7,7 +7,7 @@
 #include "core/vector.h"
 #include "core/warp.h"
 
-/// What every lobe is made of. A lobe is a trivially copyable struct with
+/// Interface of a lobe. A lobe is a trivially copyable struct with
 ///
 ///     static constexpr bool kSpecular;
 ///     LobeValue evaluate(wo, wi, transmission, mode) const;       // not if kSpecular
@@ -30,9 +30,8 @@
 /// normal (Veach 1997, section 5.3) are applied by `Bsdf`, too.
 namespace ajar {
 
-/// What travels along the path that is being sampled: radiance (paths from the camera) or
-/// importance (paths from lights). They differ where light is refracted and where shading normals
-/// are used.
+/// Quantity transported along the sampled path: radiance (paths from the camera) or importance
+/// (paths from lights). They differ where light is refracted and where shading normals are used.
 enum class TransportMode : std::uint8_t { Radiance, Importance };
 
 /// Uniform numbers one scattering event consumes.
@@ -47,15 +46,15 @@ inline constexpr float kGrazing = 1e-6F;
 
 struct LobeValue {
   Spectrum value;           ///< f(wo, wi) · |cos θ_i|
-  float pdf = 0.F;          ///< of wi given wo, 1/sr
-  float reverse_pdf = 0.F;  ///< of wo given wi, 1/sr
+  float pdf = 0.F;          ///< density of wi given wo, 1/sr
+  float reverse_pdf = 0.F;  ///< density of wo given wi, 1/sr
 };
 
 struct LobeSample {
   Vec3 wi;
   Spectrum weight;    ///< f(wo, wi) · |cos θ_i| / pdf
-  float pdf;          ///< of wi given wo: 1/sr, or a probability if the lobe is specular
-  float reverse_pdf;  ///< of wo given wi through the same lobe
+  float pdf;          ///< density of wi given wo, 1/sr, or a probability if the lobe is specular
+  float reverse_pdf;  ///< density of wo given wi through the same lobe
   bool transmission = false;
   float eta = 1.F;  ///< index of refraction on wi's side over that on wo's
 };
@@ -63,7 +62,7 @@ struct LobeSample {
 /// Numbers by which a lobe samples a given direction.
 struct LobeInverse {
   Vec2 direction{0.F, 0.F};
-  float pdf = 0.F;  ///< of the direction, by these numbers alone, 1/sr; 0: it never does
+  float pdf = 0.F;  ///< density of the direction, by these numbers alone, 1/sr; 0: it never does
 };
 
 /// A `Spectrum` in twelve bytes, for storage inside lobes.
@@ -89,7 +88,7 @@ inline bool same_hemisphere(const Vec3& a, const Vec3& b) { return a.z * b.z > 0
 /// hemisphere.
 struct HalfVector {
   Vec3 h;
-  float cosine;  ///< of the angle from h to either direction, > 0
+  float cosine;  ///< cosine of the angle from h to either direction, > 0
 };
 inline HalfVector half_vector(const Vec3& wo, const Vec3& wi) {
   const Vec3 sum = wo + wi;
@@ -112,7 +111,7 @@ inline Vec3 cosine_around(const Vec2& u, const Vec3& ng) {
 /// Density of `cosine_around`, given that the direction is in the right geometric hemisphere.
 inline float cosine_pdf(const Vec3& w) { return std::abs(w.z) * kInvPi; }
 
-/// What `cosine_around` makes `w` of.
+/// Inverse of `cosine_around`.
 inline LobeInverse cosine_inverse(const Vec3& w, const Vec3& ng) {
   if (!(dot(w, ng) > 0.F)) return {};
   const float side = std::copysign(1.F, w.z);

@@ -5,12 +5,12 @@
 
 namespace ajar {
 
-/// How the normals of microfacets are spread, and how they hide each other.
+/// Distribution of microfacet normals, and their masking function.
 enum class FacetModel : std::uint8_t {
   Ggx,                ///< Trowbridge–Reitz; height-correlated Smith masking
-  GgxSeparable,       ///< the same with G = G1·G1, as Disney's model has it
+  GgxSeparable,       ///< GGX with G = G1·G1, as Disney's model has it
   Beckmann,           ///< Gaussian slopes; height-correlated Smith masking
-  BeckmannSeparable,  ///< the same with G = G1·G1
+  BeckmannSeparable,  ///< Beckmann with G = G1·G1
 };
 
 /// Distribution of microfacet normals with roughness `alpha_x`, `alpha_y` along the local x and y
@@ -96,7 +96,7 @@ class Microfacets {
     return {r * std::cos(phi) + w.x, r * std::sin(phi) + w.y, z + w.z};
   }
 
-  /// `m` is the normal that the point of the cap stands for: it mirrors `w` to that point.
+  /// `m` is the normal of the point of the cap: it mirrors `w` to that point.
   static Vec2 ggx_inverse(const Vec3& w, const Vec3& m) {
     const float twice = 2.F * dot(w, m);
     const Vec3 c = m * twice - w;

@@ -53,7 +53,7 @@ struct MicrofacetReflection {
   Spectrum albedo(const Vec3& wo) const { return fresnel(0.95F * std::abs(wo.z), wo.z > 0.F); }
 };
 
-/// Rough coat of a dielectric: the highlight of plastic. What is refracted is lost.
+/// Rough coat of a dielectric: the highlight of plastic. Refracted light is lost.
 using DielectricReflection = MicrofacetReflection<DielectricFresnel>;
 
 }  // namespace ajar

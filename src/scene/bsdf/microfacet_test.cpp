@@ -42,7 +42,7 @@ TEST(Microfacets, ProjectedAreaIsNormalised) {
 }
 
 TEST(Microfacets, VisibleNormalsAreNormalised) {
-  // This is what masking means: the facets that can be seen project to the area of the surface.
+  // Definition of masking: the facets that can be seen project to the area of the surface.
   for (const Microfacets& facets : kAll) {
     for (const float theta : {0.F, 30.F, 70.F, 85.F}) {
       const Vec3 w = testing::direction(theta, 40.F);

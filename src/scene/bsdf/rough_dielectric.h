@@ -5,8 +5,8 @@
 namespace ajar {
 
 /// Rough boundary between two dielectrics: reflection and refraction at microfacets, each facet
-/// choosing in proportion to what the two carry. `reflect` and `transmit` tint the two and may be
-/// black. Source: Walter et al. 2007, eqs. 20 and 21.
+/// choosing in proportion to their energy. `reflect` and `transmit` tint the two and may be black.
+/// Source: Walter et al. 2007, eqs. 20 and 21.
 struct RoughDielectric {
   static constexpr bool kSpecular = false;
   Microfacets facets;
@@ -58,7 +58,7 @@ struct RoughDielectric {
     const bool transmission = !same_hemisphere(wo, wi);
     const std::optional<Facet> f = facet(o, i, transmission, relative);
     if (!f || (u_lobe >= f->choice.p_reflect) != transmission) return {};
-    // What `evaluate` says, without the probability of the choice.
+    // Value of `evaluate`, without the probability of the choice.
     const float density = facets.density(f->h) / facets.projected_area(o);
     const float pdf = transmission
                           ? density * f->o_h * std::abs(f->i_h) * relative * relative / f->squared

@@ -3,7 +3,7 @@
 
 namespace ajar {
 
-/// What the boundary of a sheet lets through, the same from both sides.
+/// Transmittance of the boundary of a sheet, equal from both sides.
 struct SheetFresnel {
   float eta = 1.5F;  ///< index of the sheet over that around it
   Spectrum operator()(float cos_i, bool /*front*/) const {
@@ -12,8 +12,7 @@ struct SheetFresnel {
 };
 
 /// Transmission through a rough sheet without thickness, which blurs light and does not bend it:
-/// what its facets would reflect if they were mirrors, mirrored to the other side, times 1 − F.
-/// Source: Burley 2015.
+/// the reflection of mirror facets, mirrored to the other side, times 1 − F. Source: Burley 2015.
 struct SheetTransmission {
   static constexpr bool kSpecular = false;
   Microfacets facets;

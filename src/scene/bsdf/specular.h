@@ -14,7 +14,7 @@ struct Mirror {
   Spectrum albedo(const Vec3&) const { return Spectrum(1.F); }
 };
 
-/// Mirror reflection at a dielectric boundary; what is refracted is lost.
+/// Mirror reflection at a dielectric boundary; refracted light is lost.
 struct SpecularReflection {
   static constexpr bool kSpecular = true;
   float eta = 1.5F;  ///< index behind the surface over that in front
@@ -33,7 +33,7 @@ inline Vec3 refract_at_plane(const Vec3& wo, float eta, float cos_t) {
   return {-wo.x / eta, -wo.y / eta, wo.z > 0.F ? -cos_t : cos_t};
 }
 
-/// Refraction at a dielectric boundary; what is reflected is lost.
+/// Refraction at a dielectric boundary; reflected light is lost.
 struct SpecularTransmission {
   static constexpr bool kSpecular = true;
   float eta = 1.5F;  ///< index behind the surface over that in front

@@ -4,7 +4,7 @@
 #include "scene/bsdf/cosine_sampled.h"
 #include "scene/bsdf/under_layer.h"
 
-/// Diffuse bases that get what a gloss above them leaves, as in appendix B of glTF 2.0.
+/// Diffuse bases under a gloss, which receive the rest of the light, as in appendix B of glTF 2.0.
 namespace ajar {
 
 /// Mean of Schlick's weight at the half vector of diffuse light and a direction with this cosine:
@@ -15,17 +15,17 @@ float mean_schlick_weight(float cosine);
 struct Gloss {
   float eta = 1.5F;      ///< ≥ 1
   float alpha = 0.F;     ///< roughness of its facets
-  float strength = 1.F;  ///< factor of what it reflects
+  float strength = 1.F;  ///< factor of its reflection
 
-  /// Share of the light at this cosine that never comes to the base. In the appendix it is
+  /// Share of the light at this cosine that does not reach the base. In the appendix it is
   /// Fresnel's term of the half vector, whose mean is here; but no less than the gloss reflects,
   /// which is more where a smooth one is seen at grazing angles.
   float taken(float cosine) const;
   /// Mean of `taken` over a hemisphere, weighted by the cosine.
   float mean_taken() const;
 
-  /// (1 − a(o)) (1 − a(i)) / (1 − ā), where a is what the gloss has taken and ā its mean. So an
-  /// even base reflects 1 − a(o) of what it does alone: base and gloss never reflect more than
+  /// (1 − a(o)) (1 − a(i)) / (1 − ā), where a is the share taken by the gloss and ā its mean. So an
+  /// even base reflects 1 − a(o) of its own reflection: base and gloss never reflect more than
   /// comes in, and are reciprocal. Source: Kelemen & Szirmay-Kalos 2001, "A microfacet based
   /// coupled specular-matte BRDF model".
   float left(const Vec3& wo, const Vec3& wi) const {

@@ -16,7 +16,7 @@ desc::SceneDesc one_sphere() {
   return scene;
 }
 
-TEST(ValidateReferences, AcceptsWhatRefersToNothing) {
+TEST(ValidateReferences, AcceptsScenesWithoutReferences) {
   EXPECT_NO_THROW(validate_references(one_sphere()));
 }
 

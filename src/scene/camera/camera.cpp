@@ -18,7 +18,7 @@ void check_lens(const desc::Camera& camera, float radius, float focal_distance) 
   if (radius > 0.F && !(focal_distance > 0.F && std::isfinite(focal_distance))) {
     throw SceneError(camera.where, "the camera's focal distance must be more than 0");
   }
-  // Of directions through the lens, per unit along the axis.
+  // Slope of directions through the lens, per unit along the axis.
   const float slope = std::max(radius, 1.F) / focal_distance;
   if (radius > 0.F && !(slope <= kMaxCoordinate)) {
     throw SceneError(camera.where, "the camera's focal distance is too small for its lens");

@@ -314,7 +314,7 @@ TEST(Camera, LightTracingGivesTheSamePictureAsCameraRays) {
   }
 }
 
-TEST(Camera, ReferencesThatItCannotSeeGiveNothing) {
+TEST(Camera, InvisibleReferencesGiveNothing) {
   const auto pinhole = camera_of(kPinhole, Mat4(), {64, 48});
   const auto lens = camera_of(kThinLens, Mat4(), {64, 48});
   const auto around = camera_of(desc::EnvironmentCamera{}, Mat4(), {64, 48});

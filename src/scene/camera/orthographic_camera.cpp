@@ -98,7 +98,7 @@ class OrthographicCamera final : public Camera {
     point.surface.p = position_ + directions_.vector_to_world(local);
     return point;
   }
-  /// Of a direction of the lens: dA_lens / dω = f² / cos³ θ.
+  /// Density of a direction of the lens: dA_lens / dω = f² / cos³ θ.
   Pdf<VertexMeasure> direction_pdf(const Vec3& w) const {
     if (lens_radius() == 0.F) return Pdf<VertexMeasure>(1.F);
     const DirectionMap::Local local = directions_.to_local(w);

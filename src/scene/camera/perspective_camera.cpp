@@ -112,7 +112,7 @@ class PerspectiveCamera final : public Camera {
   float direction_pdf(const DirectionMap::Local& local) const {
     return local.stretch / (screen_.area() * local.w.z * local.w.z * local.w.z);
   }
-  /// The same for any direction: zero outside of the image.
+  /// Density of any direction: zero outside of the image.
   float visible_pdf(const EndpointPoint& point, const Vec3& w) const {
     const DirectionMap::Local local = directions_.to_local(w);
     return local_raster(point, local.w) ? direction_pdf(local) : 0.F;
@@ -122,7 +122,7 @@ class PerspectiveCamera final : public Camera {
   DirectionMap directions_;
   Vec3 position_;
   float inverse_focal_distance_;
-  Vec3 normal_{0.F, 0.F, 0.F};  ///< of the lens, forward; zero for a pinhole
+  Vec3 normal_{0.F, 0.F, 0.F};  ///< normal of the lens, forward; zero for a pinhole
   float lens_pdf_ = 1.F;        ///< per world area; one for a pinhole
 };
 

@@ -23,7 +23,7 @@ class Screen {
   /// sampled on the very border must find themselves again in spite of rounding, hence a slack of a
   /// millionth.
   std::optional<Vec2> to_raster(const Vec2& plane) const;
-  /// Of the window, in units of the camera plane.
+  /// Area of the window, in units of the camera plane.
   float area() const { return std::abs(extent_.x * extent_.y); }
 
  private:

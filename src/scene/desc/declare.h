@@ -27,7 +27,7 @@ ParameterSpec curves(std::string name, std::string help);
 ParameterSpec color(std::string name, std::string value, std::string help);
 /// A colour with lanes from 0 on, white unless given: how strong a light is.
 ParameterSpec emission(std::string name, std::string unit, std::string help);
-/// The same, or a texture.
+/// An emission parameter that may be a texture.
 ParameterSpec textured_emission(std::string name, std::string unit, std::string help);
 /// A number within (minimum, maximum).
 ParameterSpec number_between(std::string name, std::string value, std::string unit,

@@ -23,7 +23,7 @@ std::optional<std::string> complaint(const Density& density) {
     return "has a grid of " + size + ", which is fewer than " + std::to_string(fewest) +
            " along an axis";
   }
-  // In doubles: products of three integers may be beyond what integers hold.
+  // In doubles: products of three integers may overflow integers.
   const double count = double{1} * n.x * n.y * n.z;
   const auto check = [&](const auto& values, const std::string& many,
                          const std::string& one) -> std::optional<std::string> {

@@ -10,8 +10,8 @@ namespace ajar::desc {
 
 using Vec3i = Imath::V3i;
 
-/// How dense a medium is from place to place in the unit cube: factors of its coefficients, at the
-/// points of a lattice and trilinear between them. Outside of the cube there is no medium.
+/// Density of a medium in the unit cube: factors of its coefficients, at the points of a lattice
+/// and trilinear between them. Outside of the cube there is no medium.
 struct DensityGrid {
   /// Where in the cube the points are: in the middle of as many cells as there are points, or at
   /// the corners of cells, the outer ones on the faces of the cube.
@@ -36,7 +36,7 @@ using DensityGridPointer = std::shared_ptr<const DensityGrid>;
 /// A grid in its place.
 struct Density {
   DensityGridPointer grid;
-  Mat4 to_world;  ///< of the unit cube
+  Mat4 to_world;  ///< transform of the unit cube
 };
 
 /// Why no medium can have `density`, as in "has 3 values of density, not 2 × 2 × 2"; nothing if one

@@ -4,8 +4,8 @@
 
 #include "scene/desc/node.h"
 
-/// All models that scenes can be described with. They are defined beside what is built of them
-/// (`scene/material/` …); who describes scenes needs no more than this.
+/// All models that scenes can be described with. They are defined beside their implementations
+/// (`scene/material/` …); descriptions of scenes need no more than this.
 namespace ajar::desc {
 
 enum class ModelKind { Material, Texture, Light, Emission, Shape };

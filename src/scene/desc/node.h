@@ -12,8 +12,8 @@
 #include "core/parameters.h"
 #include "core/vector.h"
 
-/// What a scene is made of, in words that belong to no file format: a node is of a model, which
-/// says what parameters it has. Whatever handles nodes without rendering them (import, hash,
+/// Neutral description of a scene, in words that belong to no file format: a node is of a model,
+/// which declares its parameters. Code that handles nodes without rendering them (import, hash,
 /// writer, `ajar info`, `ajar list`) loops over the parameters of their models and knows none of
 /// them.
 namespace ajar::desc {
@@ -39,8 +39,8 @@ struct MaterialRef {
 using TransformPointer = std::shared_ptr<const Mat4>;
 struct Mesh;
 struct Curves;
-/// What shapes are made of (`scene/desc/shape_data.h`). Values are equal if they are the same
-/// object. Null by default.
+/// Data of shapes (`scene/desc/shape_data.h`). Values are equal if they are the same object. Null
+/// by default.
 using MeshPointer = std::shared_ptr<const Mesh>;
 using CurvesPointer = std::shared_ptr<const Curves>;
 
@@ -70,7 +70,7 @@ class Node {
  public:
   using Given = std::initializer_list<std::pair<std::string_view, Value>>;
 
-  /// Of no model: a scene with such a node cannot be built.
+  /// A node without a model: a scene with such a node cannot be built.
   Node() = default;
   /// All parameters but those given have their defaults. Raises as `set` does.
   explicit Node(const Model& model, Given given = {});
@@ -83,12 +83,12 @@ class Node {
   /// that the model does not have and for values of another type.
   void set(std::string_view name, Value value);
 
-  /// Those of `model().parameters`, in their order.
+  /// Values of `model().parameters`, in their order.
   std::span<const Value> values() const { return values_; }
   bool has(std::string_view name) const { return find(name) != nullptr; }
   /// Raises std::logic_error for names that the model does not have.
   const Value& get(std::string_view name) const;
-  /// The value as what it must be; raises as `get` does and std::bad_variant_access.
+  /// The value by type; raises as `get` does and std::bad_variant_access.
   bool flag(std::string_view name) const { return std::get<bool>(get(name)); }
   int integer(std::string_view name) const { return std::get<int>(get(name)); }
   float number(std::string_view name) const { return std::get<float>(get(name)); }

@@ -82,7 +82,7 @@ TEST(Node, TakesValuesOfTheTypesOfItsParameters) {
   EXPECT_THROW(static_cast<void>(Node().get("color")), std::logic_error);
 }
 
-TEST(Node, SaysWhyAValueIsNone) {
+TEST(Node, ReportsInvalidValues) {
   const auto error_of = [](const char* name, const Value& value) -> std::string {
     try {
       const Node node(velvet(), {{name, value}});
@@ -97,11 +97,11 @@ TEST(Node, SaysWhyAValueIsNone) {
             "\"weave\" of velvet must be one of plain, satin, not \"twill\"");
   EXPECT_EQ(error_of("scale", std::numeric_limits<float>::quiet_NaN()),
             "\"scale\" of velvet must be a finite number, not nan");
-  // Whoever reads a texture brings it into the range, and constants likewise.
+  // Readers of a texture clamp it to the range, and constants likewise.
   EXPECT_EQ(error_of("color", Vec3(7.F)), "");
 }
 
-TEST(DefaultValue, ThatIsNoneIsAProgrammingError) {
+TEST(DefaultValue, InvalidOneIsAProgrammingError) {
   EXPECT_THROW(default_value(spec("x", ParameterType::Float, "one")), std::logic_error);
   EXPECT_THROW(default_value(spec("x", ParameterType::Color, "1 2")), std::logic_error);
   EXPECT_THROW(default_value(spec("x", ParameterType::Vector, "1")), std::logic_error);

@@ -14,9 +14,9 @@
 #include "scene/desc/node.h"
 #include "scene/desc/shape_data.h"
 
-/// What a scene is, independent of the file format it came from and of how it will be rendered.
-/// Importers make it, `Scene` is built from it. Every node knows where in a file it came from.
-/// Colours are linear Rec. 709 RGB; lengths are scene units; angles are degrees.
+/// A scene description, independent of file format and renderer. Importers make it, `Scene` is
+/// built from it. Every node knows where in a file it came from. Colours are linear Rec. 709 RGB;
+/// lengths are scene units; angles are degrees.
 namespace ajar::desc {
 
 // ---------------------------------------------------------------- textures, materials
@@ -27,8 +27,8 @@ struct Texture {
   Node node;  ///< refers only to textures with a smaller id
 };
 
-/// Shading normals by a texture: its colour c stands for 2c − 1 along dp/du, across it and along
-/// the normal.
+/// Shading normals by a texture: its colour c encodes 2c − 1 along dp/du, across it and along the
+/// normal.
 struct NormalMap {
   TextureId texture = kNone;
   float strength = 1;  ///< multiplies the first two lanes of 2c − 1
@@ -40,7 +40,7 @@ struct Material {
   std::string name;
   SourceLocation where;
   TextureId bump = kNone;  ///< displacement along the normal, scene units
-  NormalMap normal_map{};  ///< of no meaning beside a bump
+  NormalMap normal_map{};  ///< ignored beside a bump
   Node node{};             ///< refers only to materials with a smaller id
 
   bool has_relief() const { return bump != kNone || normal_map.texture != kNone; }
@@ -68,13 +68,13 @@ struct Emission {
 
 struct Shape {
   SourceLocation where;
-  std::string name;  ///< of the object, for ids and messages; may be empty
+  std::string name;  ///< name of the object, for ids and messages; may be empty
   Node node;         ///< in a space of its own
   Mat4 to_world;
   bool reverse_orientation = false;
   MaterialId material = kNone;
   TextureId alpha = kNone;         ///< surface is cut away where this is 0
-  TextureId shadow_alpha = kNone;  ///< the same for shadow rays only
+  TextureId shadow_alpha = kNone;  ///< alpha for shadow rays only
   bool alpha_counted = false;      ///< where it is cut away, it adds an edge to paths
   std::optional<Emission> emission;
   MediumId inside = kNone, outside = kNone;
@@ -128,7 +128,7 @@ struct Camera {
   Mat4 to_world;  ///< camera looks along +z, +y is up, +x right (left-handed)
   std::variant<PerspectiveCamera, OrthographicCamera, EnvironmentCamera> node;
   MediumId medium = kNone;
-  /// Looks past lights, into what is behind them; they shine all the same.
+  /// Looks past lights at the background; they shine all the same.
   bool hides_lights = false;
 };
 
@@ -159,7 +159,7 @@ struct Film {
   std::string filename;
 };
 
-/// What the file asks of the renderer; the command line overrides it.
+/// Render settings in the file; the command line overrides them.
 struct RenderHints {
   /// Where neither a scene nor a user says one.
   static constexpr int kDefaultMaxDepth = 100;
@@ -179,7 +179,7 @@ using EmbeddedFiles = std::map<std::string, std::shared_ptr<const std::string>>;
 struct WarningIfSeen {
   enum class If { FromBehind, Nearer, Farther };
   If condition;
-  MaterialId material = kNone;  ///< that is seen from behind; kNone: any
+  MaterialId material = kNone;  ///< material that is seen from behind; kNone: any
   float depth = 0.F;            ///< nearer or farther than which it is, along the camera's axis
   Warning warning;
 };

@@ -4,9 +4,9 @@
 
 #include "core/vector.h"
 
-/// What shapes have by the thousand. It is typed data, not parameters: a mesh has no name, unit and
-/// range for each of its numbers. A parameter of the type Mesh or Curves holds all of it, shared,
-/// so that a copy of a description does not copy geometry.
+/// Bulk data of shapes, typed: a mesh has no name, unit and range for each of its numbers. A
+/// parameter of the type Mesh or Curves holds all of it, shared, so that a copy of a description
+/// does not copy geometry.
 namespace ajar::desc {
 
 struct Mesh {

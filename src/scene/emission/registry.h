@@ -10,13 +10,13 @@ namespace ajar {
 
 class EmissionInputs;
 
-/// A model of light that leaves surfaces: what can be said of it and how it is made.
+/// A model of emission from surfaces: its description and how it is made.
 struct EmissionModel {
   desc::Model model;
   std::unique_ptr<Light> (*make)(const EmissionInputs& inputs);
 };
 
-/// Every model there is. `desc::models` makes their descriptions known to those who do not render.
+/// All models. `desc::models` gives their descriptions to code that does not render.
 const std::vector<EmissionModel>& emission_models();
 
 }  // namespace ajar

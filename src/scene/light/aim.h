@@ -10,13 +10,13 @@
 
 namespace ajar {
 
-/// Aims what a lamp emits at what it can meet. A lamp far off, such as a disk that stands for the
-/// sun, sends nearly all of its light past the scene. So directions are a mixture: uniform in the
-/// cone around the sphere of the receivers, and else the lamp's own, since it may also light
-/// another lamp (docs/methods/light-sampling.md).
+/// Restricts a lamp's emission to the scene's receivers. A lamp far off, such as a disk as the sun,
+/// sends nearly all of its light past the scene. So directions are a mixture: uniform in the cone
+/// around the sphere of the receivers, and else the lamp's own, since it may also light another
+/// lamp (docs/methods/light-sampling.md).
 class Aim {
  public:
-  /// Of a lamp that knows of no receivers: its own directions.
+  /// Directions of a lamp without receivers.
   Aim() = default;
   /// The sphere is around everything that does not emit.
   explicit Aim(const std::optional<BoundingSphere>& receivers) : receivers_(receivers) {}
@@ -57,8 +57,8 @@ class Aim {
   }
 
  private:
-  /// Share of directions that are aimed. Others bound the variance of light that lamps throw on
-  /// lamps to 1 / (1 − kAimed) of what it would be without, and cost 1 / kAimed of the rest.
+  /// Share of directions that are aimed. Others bound the variance of light between lamps to 1 / (1
+  /// − kAimed) of that without aiming, and cost 1 / kAimed of the rest.
   static constexpr float kAimed = 0.95F;
   /// Sine of half the angle of the narrowest cone: directions are rounded to 10⁻⁷.
   static constexpr float kNarrowest = 1e-3F;
@@ -73,7 +73,7 @@ class Aim {
       return (local.x * local.x + local.y * local.y) / (1.F + local.z);
     }
     float pdf(const Vec3& w) const {
-      // Whatever lies on the border by rounding misses the receivers.
+      // Rounding at the border counts as a miss of the receivers.
       constexpr float kRounding = 1e-3F;
       if (one_minus_cos_of(frame.to_local(w)) > one_minus_cos * (1.F + kRounding)) return 0.F;
       return warp::uniform_cone_pdf(one_minus_cos);

@@ -5,7 +5,7 @@
 #include "scene/light/light_test_support.h"
 #include "scene/light/models.h"
 
-/// Lamps that know what they can meet, at several distances from it.
+/// Lamps aimed at their receivers, at several distances from them.
 namespace ajar {
 namespace {
 

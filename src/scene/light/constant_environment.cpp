@@ -8,7 +8,7 @@ namespace ajar {
 
 namespace {
 
-/// The same radiance from everywhere.
+/// Constant radiance from all directions.
 class ConstantEnvironment final : public Light {
  public:
   ConstantEnvironment(const Spectrum& radiance, const BoundingSphere& bounds)

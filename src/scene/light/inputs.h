@@ -17,15 +17,16 @@ struct LightPlacement {
   DirectionMap directions;
 };
 
-/// What becomes of the texels of a map.
+/// Treatment of the texels of a map.
 struct TexelTreatment {
   bool gray = false;     ///< each is the mean of its colours
   bool nearest = false;  ///< no interpolation, whatever the projection
-  std::optional<float> decoding_exponent = std::nullopt;  ///< of integers; without one: sRGB
+  std::optional<float> decoding_exponent = std::nullopt;  ///< exponent for integers; without one:
+                                                          ///< sRGB
   bool rows_at_edges = false;  ///< the first and the last row, as `Map::put_rows_at_edges`
 };
 
-/// The description of one light, with what it needs to know of the scene.
+/// The description of one light, with the data of the scene that it needs.
 class LightInputs {
  public:
   /// Warns of a transform that cannot be inverted: it counts as no rotation.
@@ -46,8 +47,8 @@ class LightInputs {
   std::optional<SphereMap> sphere_map(const TexelTreatment& texels = {}) const;
   /// Exponent that decodes integers of the image; nothing if they are sRGB.
   std::optional<float> decoding_exponent() const;
-  /// What a light of the luminance `actual` is multiplied with to have that which the parameter
-  /// `name` says; 1 if it says none.
+  /// Scale of a light of luminance `actual` to the value of the parameter `name`; 1 if it is not
+  /// given.
   float scale_to(std::string_view name, float actual) const;
 
  private:

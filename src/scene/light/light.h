@@ -17,13 +17,13 @@ class Medium;
 /// it is on, a light at infinity by rays that leave the scene.
 class Light : public Endpoint {
  public:
-  /// Emitted power per lane, W, approximately; of lights at infinity what crosses the scene's
-  /// bounding sphere. Used to choose among lights: > 0 in some lane for every light that emits at
-  /// all.
+  /// Emitted power per lane, W, approximately; of lights at infinity the power that crosses the
+  /// scene's bounding sphere. Used to choose among lights: > 0 in some lane for every light that
+  /// emits at all.
   virtual Spectrum power() const = 0;
   /// Where it is and where it shines; empty for lights at infinity.
   virtual std::optional<LightBounds> bounds() const { return std::nullopt; }
-  /// Of the surface it is on: points of it have `SurfacePoint::primitive` below that.
+  /// Number of primitives of its surface: points of it have `SurfacePoint::primitive` below that.
   virtual std::uint32_t primitives() const { return 1; }
   /// For lights at infinity that are not discrete: the vertex that a ray leaving the scene along
   /// unit `w` runs into.

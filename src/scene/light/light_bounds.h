@@ -5,15 +5,15 @@
 
 namespace ajar {
 
-/// What a light at a finite place says of itself to a light tree: where it is, where it shines and
-/// how strongly. Light only leaves it in directions within `emission_angle` of one of `normals`
-/// (or of its negative). Source: Conty Estevez & Kulla 2018, section 4.1.
+/// Bounds of a light at a finite place for a light tree: position, directions and power. Light only
+/// leaves it in directions within `emission_angle` of one of `normals` (or of its negative).
+/// Source: Conty Estevez & Kulla 2018, section 4.1.
 struct LightBounds {
   Box3 box;
   DirectionCone normals;
   float emission_angle = 0.F;  ///< radians, up to π/2; irrelevant for the whole sphere of normals
   /// Largest radiant intensity in any direction, approximately: luminance, W/sr. Intensity rather
-  /// than power, so that a narrow beam counts as what it is for those who stand in it.
+  /// than power, so that a narrow beam has its weight for points within.
   float intensity = 0.F;
   bool two_sided = false;
 };
@@ -29,7 +29,8 @@ inline LightBounds unite(const LightBounds& a, const LightBounds& b) {
   return both;
 }
 
-/// Of a light at one point that may shine anywhere, with mean intensity `intensity`.
+/// Bounds of a light at one point with any distribution of directions and mean intensity
+/// `intensity`.
 inline LightBounds point_bounds(const Vec3& position, float intensity) {
   return {Box3(position), DirectionCone::whole_sphere(), 0.5F * kPi, intensity, false};
 }

@@ -20,9 +20,9 @@ struct ChosenLight {
 /// power is not zero can be chosen; if all are zero, all are equally likely.
 ///
 /// For a point to be lit, lights at finite places are chosen by a tree, those at infinity by power,
-/// between the two kinds half by the irradiance they may cause and half evenly. A few choices
-/// are by power alone: what the estimates do not know (shadows above all) cannot make the variance
-/// larger than by a fixed factor.
+/// between the two kinds half by the irradiance they may cause and half evenly. A few choices are
+/// by power alone: neglected effects (shadows above all) cannot make the variance larger than by a
+/// fixed factor.
 class LightSampler {
  public:
   /// `lights` must outlive it, and the `index` of each must be its position; `bounds` is the sphere
@@ -42,8 +42,8 @@ class LightSampler {
   std::optional<float> invert_emitter(const Light& light, float u) const;
 
  private:
-  /// Share of choices that are by power alone: they bound the variance to 1 / kByPower of what it
-  /// would be by power, and cost 1 / (1 − kByPower) where the tree is right.
+  /// Share of choices that are by power alone: they bound the variance to 1 / kByPower of that by
+  /// power, and cost 1 / (1 − kByPower) where the tree is right.
   static constexpr float kByPower = 0.05F;
 
   /// Share of the lights at infinity in the choices that depend on the reference.

@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing;
 
-/// Of any intensities, even those that no description can have.
+/// Point lights of any intensities, even those that no description can have.
 LightList point_lights(const std::vector<float>& intensities) {
   LightList lights;
   for (const float intensity : intensities) {
@@ -22,8 +22,8 @@ LightList point_lights(const std::vector<float>& intensities) {
   return lights;
 }
 
-/// Sum over the lights of (what each sends to `at`)² / probability: the second moment of next event
-/// estimation there, over the square of its mean. `share` scales what a light sends.
+/// Sum over the lights of (light sent to `at`)² / probability: the second moment of next event
+/// estimation there, over the square of its mean. `share` scales the light of each.
 struct SecondMoments {
   double by_sampler = 0.0;
   double by_power = 0.0;
@@ -88,7 +88,7 @@ Lamps lamps_and_sky(Rng& rng, int count) {
 
 // Power: with 400000 samples a light of probability 1/50 that is chosen 6 % too often or too rarely
 // is seen.
-TEST(LightSampler, ChoosesAsOftenAsItSays) {
+TEST(LightSampler, FrequenciesMatchItsProbabilities) {
   Rng rng(2);
   const Lamps lamps = lamps_and_sky(rng, 47);
   const LightSampler sampler(lamps.lights, kBounds);
@@ -213,7 +213,7 @@ TEST(LightSampler, FaintLightsBesideAStrongOneCanBeChosen) {
   EXPECT_GT(sampler.emitter_probability(*lights[2]).value(), 0.F);
 }
 
-TEST(LightSampler, KnowsThatThereAreNoLights) {
+TEST(LightSampler, IsEmptyWithoutLights) {
   const LightList none;
   EXPECT_TRUE(LightSampler(none, kBounds).empty());
 }

@@ -117,7 +117,7 @@ class SpeckTexture final : public Texture {
     return Spectrum(length(Vec3(at.uv.x - 0.123F, at.uv.y - 0.456F, 0.F)) < 1e-3F ? 1.F : 0.F);
   }
 };
-TEST(AreaLight, PowerIsPositiveIfAnySpeckEmits) {
+TEST(AreaLight, PowerIsPositiveIfAnyTexelEmits) {
   const Quad quad({-1, -1, 1}, {0, 2, 0}, {2, 0, 0});
   TextureList textures;
   textures.push_back(std::make_unique<SpeckTexture>());
@@ -409,7 +409,7 @@ TEST(Lights, ExtremeScalesAreWarnedOfAndStayFinite) {
   }
 }
 
-TEST(Lights, OfNoModelAreLocatedErrors) {
+TEST(Lights, WithoutAModelAreLocatedErrors) {
   Warnings warnings;
   desc::Light light;
   light.where = {std::make_shared<const std::string>("a.pbrt"), 7, 2};

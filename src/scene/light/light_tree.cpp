@@ -25,9 +25,9 @@ float orientation_measure(const LightBounds& bounds) {
   return std::max(bounds.two_sided ? 2.F * measure : measure, 1e-4F);
 }
 
-/// What it costs to have lights of this power (in place of the intensity) under one node. The box
-/// enters by the square of its diagonal instead of its surface, because the importance takes it for
-/// a sphere and because lights in a row have a box without surface.
+/// Cost of a node with lights of this power (in place of the intensity). The box enters by the
+/// square of its diagonal instead of its surface, because the importance takes it for a sphere and
+/// because lights in a row have a box without surface.
 float cost(const LightBounds& bounds) {
   return bounds.intensity * orientation_measure(bounds) * length_squared(bounds.box.size());
 }
@@ -60,7 +60,7 @@ class LightTree::Builder {
   struct Part {
     LightBounds bounds;
     std::size_t children = kNone;  ///< the first of two, or kNone
-    std::uint32_t light = 0;       ///< of a leaf
+    std::uint32_t light = 0;       ///< index of the light of a leaf
   };
   struct Split {
     float cost = std::numeric_limits<float>::infinity();
@@ -138,7 +138,7 @@ class LightTree::Builder {
     node.link[lane] = link | (bounds.two_sided ? kTwoSided : 0U);
   }
 
-  /// Orders the items such that the two halves are on the two sides of what is returned.
+  /// Orders the items such that the two halves are on the two sides of the returned index.
   std::size_t split(std::size_t first, std::size_t last) {
     Box3 centers;
     for (std::size_t i = first; i < last; ++i) centers.extendBy(centroid(items_[i].bounds));
@@ -235,8 +235,8 @@ LightTree::Lanes LightTree::importance(const Node& node, const Vec3& reference) 
   const Lanes irradiance = node.intensity / (squared + kSoftening * node.radius_squared);
 
   // Angles at the node: θ from the axis to the reference, θ_b of half the sphere as seen from
-  // there, θ_o of the normals. The least angle to any normal is θ' = max(0, θ − θ_o − θ_b). What is
-  // not a number, from within the sphere, is not used.
+  // there, θ_o of the normals. The least angle to any normal is θ' = max(0, θ − θ_o − θ_b). NaN,
+  // from within the sphere, is not used.
   const Lanes inverse_squared = 1.F / squared;
   const Lanes along =
       (x * node.axis[0] + y * node.axis[1] + z * node.axis[2]) * square_root(inverse_squared);
@@ -265,9 +265,9 @@ LightTree::Lanes LightTree::importance(const Node& node, const Vec3& reference) 
 LightTree::Lanes LightTree::shares(const Node& node, const Vec3& reference) {
   const auto sum = [](Lanes x) { return (x[0] + x[1]) + (x[2] + x[3]); };
   Lanes weights = importance(node, reference);
-  // If no light below reaches the reference, the bounds above just could not tell.
+  // The bounds above were too loose if no light below reaches the reference.
   if (!(sum(weights) > 0.F)) weights = node.intensity;
-  // What is possible stays possible, although uniform numbers are rounded.
+  // Nonzero probabilities stay nonzero although uniform numbers are rounded.
   const Lanes least = (Lanes{} + 0x1p-22F) * sum(weights);
   weights = ((weights > 0.F) & (weights < least)) ? least : weights;
   return weights / sum(weights);

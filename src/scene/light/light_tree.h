@@ -8,12 +8,11 @@
 
 namespace ajar {
 
-/// Chooses among lights at finite places in proportion to an estimate of what they send to a point:
-/// a tree of bounds, descended at random by the importance of the children. Every light
-/// that can reach the point can be chosen, but for roundings. Immutable; choosing takes O(depth),
-/// without recursion. Source: Conty Estevez & Kulla 2018, "Importance sampling of many lights with
-/// adaptive tree splitting"; the importance follows pbrt-v4, section 12.6.3, for points without
-/// normal.
+/// Chooses among lights at finite places in proportion to an estimate of their light at a point: a
+/// tree of bounds, descended at random by the importance of the children. Every light that can
+/// reach the point can be chosen, but for roundings. Immutable; choosing takes O(depth), without
+/// recursion. Source: Conty Estevez & Kulla 2018, "Importance sampling of many lights with adaptive
+/// tree splitting"; the importance follows pbrt-v4, section 12.6.3, for points without normal.
 class LightTree {
  public:
   static constexpr int kWidth = 4;
@@ -47,9 +46,9 @@ class LightTree {
   /// Bounds of up to four children, one per lane, in three cache lines. Missing children have no
   /// intensity.
   struct alignas(64) Node {
-    Lanes center[3];       ///< of spheres around the boxes
-    Lanes radius_squared;  ///< of these spheres: half the diagonals of the boxes
-    Lanes axis[3];         ///< of the normals
+    Lanes center[3];       ///< centres of spheres around the boxes
+    Lanes radius_squared;  ///< squared radii of these spheres: half the diagonals of the boxes
+    Lanes axis[3];         ///< mean axis of the normals
     Lanes intensity;       ///< mean over the directions it shines in, per power of the whole tree
     Lanes cos_normals;     ///< −1 for the whole sphere
     Lanes sin_normals;
@@ -71,7 +70,7 @@ class LightTree {
   std::vector<Node> nodes_;  ///< the root first
   /// By light: which child to take, from the lowest bits on.
   std::vector<std::uint64_t> trails_;
-  double power_ = 0.0;  ///< of all lights, W
+  double power_ = 0.0;  ///< power of all lights, W
 };
 
 }  // namespace ajar

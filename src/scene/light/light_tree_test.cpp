@@ -59,7 +59,7 @@ TEST(LightTree, IsADistributionForAnyLightsAndReferences) {
 
 // Power: with 400000 samples a light of probability 1/50 that is chosen 6 % too often or too rarely
 // is seen.
-TEST(LightTree, ChoosesAsOftenAsItSays) {
+TEST(LightTree, FrequenciesMatchItsProbabilities) {
   Rng rng(2);
   const Lamps lamps = random_lamps(rng, 50, 3.F);
   const LightTree tree(items_of(lamps));
@@ -109,7 +109,7 @@ TEST(LightTree, DoesNotChooseLightsThatFaceAway) {
   lamps.add(quad(0.1F, y, x), area_light({1, 1, 1}));  // toward −z
   lamps.add(quad(0.05F, y, x), area_light({1, 1, 1}, true));
   const LightTree tree(items_of(lamps));
-  // Quads that share a node are told apart one level below: the rest need not be even.
+  // Quads that share a node are separated one level below: the rest need not be even.
   const std::vector<double> above = probabilities(tree, 3, {0.2F, 0.1F, 5.F});
   EXPECT_GT(above[0], 0.3);
   EXPECT_EQ(above[1], 0.0);
@@ -154,7 +154,7 @@ TEST(LightTree, SurvivesRowsThatSplitUnevenly) {
   }
 }
 
-TEST(LightTree, FallsBackToIntensityWhereNothingShines) {
+TEST(LightTree, FallsBackToIntensityWhereAllImportancesAreZero) {
   Rng rng(6);
   const Vec3 x(1.F, 0.F, 0.F);
   const Vec3 y(0.F, 1.F, 0.F);
@@ -168,7 +168,7 @@ TEST(LightTree, FallsBackToIntensityWhereNothingShines) {
   EXPECT_EQ(tree.irradiance(behind), 0.0);
 }
 
-TEST(LightTree, KnowsWhichLightsItDoesNotHold) {
+TEST(LightTree, HasZeroProbabilityForOtherLights) {
   const LightTree tree({point_item({0, 0, 0}, 1.F, 2)});
   EXPECT_EQ(tree.probability({1, 1, 1}, 0), 0.F);
   EXPECT_EQ(tree.probability({1, 1, 1}, 2), 1.F);

@@ -5,7 +5,7 @@
 
 namespace ajar {
 
-/// What a light needs to know of its scene.
+/// Properties of the scene that lights need.
 struct LightSurroundings {
   const BoundingSphere& bounds;
   /// The sphere around everything that emits nothing, if it is known.

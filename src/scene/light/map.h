@@ -14,10 +14,10 @@
 
 namespace ajar {
 
-/// How a map continues beyond its left and right edge. Beyond the upper and lower edge it always
+/// Wrap mode of a map beyond its left and right edge. Beyond the upper and lower edge it always
 /// keeps its edge value.
 enum class MapEdge { Repeat, Clamp };
-/// What a map is between the centres of its texels.
+/// Interpolation between the centres of texels.
 enum class MapFilter { Bilinear, Nearest };
 
 /// An image that shapes the emission of a light: linear RGB, finite, not negative. Row 0 is at v =

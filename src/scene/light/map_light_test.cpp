@@ -225,7 +225,7 @@ TEST(SkyLight, IsTheClearSkyAboveTheHorizonAndBlackBelow) {
   EXPECT_GT(above, 800);
 }
 
-TEST(SkyLight, ShinesAsMuchAsItsRadianceSays) {
+TEST(SkyLight, FluxIsTheIntegralOfItsRadiance) {
   const auto light = light_of(desc::light_node("sky", {{"elevation", 50.F}}), Mat4());
   const ClearSky sky(3.0, 40.0 * M_PI / 180.0);
   const Vec3d sun(std::sin(40.0 * M_PI / 180.0), 0.0, std::cos(40.0 * M_PI / 180.0));

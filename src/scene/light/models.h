@@ -4,7 +4,7 @@
 #include "scene/light/inputs.h"
 #include "scene/light/sphere_map.h"
 
-/// What several models of lights are made of.
+/// Common parts of several models of lights.
 namespace ajar {
 
 std::unique_ptr<Light> make_point_light(const Spectrum& intensity, const LightPlacement& at,

@@ -5,8 +5,8 @@
 
 namespace ajar {
 
-/// What an endpoint at one point looks like from `reference`; `intensity(w)` is what it emits in
-/// unit direction w. Empty if that is black or `reference` is too near for a finite weight.
+/// Connection from `reference` to an endpoint at one point; `intensity(w)` is its emission in unit
+/// direction w. Empty if that is black or `reference` is too near for a finite weight.
 template <typename Intensity>
 std::optional<ConnectionSample> connect_to_point(const Vec3& position, const Vec3& reference,
                                                  const Intensity& intensity) {

@@ -6,7 +6,7 @@ namespace ajar {
 
 namespace {
 
-/// The same intensity in all directions from one point.
+/// Isotropic point light.
 class PointLight final : public Light {
  public:
   PointLight(const Spectrum& intensity, const Vec3& position, const Aim& aim)

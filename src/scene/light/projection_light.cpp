@@ -137,7 +137,7 @@ class ProjectionLight final : public Light {
   LightPlacement at_;
   Vec3 axis_;  ///< in the world
   bool is_of_irradiance_;
-  Vec2 half_size_;  ///< of the window at z = 1
+  Vec2 half_size_;  ///< half the size of the window at z = 1
   Distribution2D distribution_;
   Spectrum power_;
 };

@@ -10,13 +10,13 @@ namespace ajar {
 
 class LightInputs;
 
-/// A model of lights that are not on surfaces: what can be said of it and how it is made.
+/// A model of lights that are not on surfaces: its description and how it is made.
 struct LightModel {
   desc::Model model;
   std::unique_ptr<Light> (*make)(const LightInputs& inputs);
 };
 
-/// Every model there is. `desc::models` makes their descriptions known to those who do not render.
+/// All models. `desc::models` gives their descriptions to code that does not render.
 const std::vector<LightModel>& light_models();
 
 }  // namespace ajar

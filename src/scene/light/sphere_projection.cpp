@@ -14,7 +14,7 @@ const SphereProjection& sphere_projection(std::string_view name) {
   static constexpr SphereProjection kLatLong = {lat_long::to_uv, lat_long::to_direction,
                                                 lat_long_solid_angle, MapEdge::Repeat,
                                                 MapFilter::Bilinear};
-  // Texels as they are: interpolation would have to know what lies beyond the folds.
+  // Texels without interpolation, which would need the neighbours beyond the folds.
   static constexpr SphereProjection kSquare = {equal_area::to_uv, equal_area::to_direction,
                                                equal_area_solid_angle, MapEdge::Clamp,
                                                MapFilter::Nearest};

@@ -6,12 +6,12 @@
 #include "core/vector.h"
 #include "scene/light/map.h"
 
-/// How maps are spread over all directions (core/sphere_mapping.h).
+/// Parameterisations of the sphere for maps (core/sphere_mapping.h).
 namespace ajar {
 
 /// One of them.
 struct SphereProjection {
-  Vec2 (*to_uv)(const Vec3& w);          ///< of vectors of any length, in [0, 1)²
+  Vec2 (*to_uv)(const Vec3& w);          ///< maps vectors of any length to [0, 1)²
   Vec3 (*to_direction)(const Vec2& uv);  ///< unit
   float (*solid_angle)(const Vec2& uv);  ///< dω / d(uv)
   MapEdge edge;

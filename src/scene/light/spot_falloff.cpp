@@ -84,7 +84,7 @@ float SpotFalloff::share(float a) const {
 float SpotFalloff::with_share(float share) const {
   const auto wanted = static_cast<double>(share);
   if (kind_ == Kind::Angle) {
-    // Newton's steps, halved where they leave what is known: the share falls all the way.
+    // Newton's steps, halved where they leave the bracket: the share falls all the way.
     double low = inner_angle_;
     double high = edge_angle_;
     const double sought = wanted * all_beyond_;

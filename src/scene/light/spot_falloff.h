@@ -3,10 +3,10 @@
 
 namespace ajar {
 
-/// How the light of a spot fades from 1, inside of a cone, to 0 at the edge of a wider one.
-/// Directions are told by a = 1 − cos θ, θ being the angle from the axis: solid angle is 2π da.
-/// Sources: pbrt-v3, section 12.3.1 (`quartic`: δ⁴, δ being linear in the cosine); pbrt-v4, section
-/// 12.2.1 (`smoothstep`: 3δ² − 2δ³); glTF's KHR_lights_punctual (`quadratic`: δ²); Mitsuba's spot
+/// Falloff of a spot light from 1, inside of a cone, to 0 at the edge of a wider one. Directions
+/// are given by a = 1 − cos θ, θ being the angle from the axis: solid angle is 2π da. Sources:
+/// pbrt-v3, section 12.3.1 (`quartic`: δ⁴, δ being linear in the cosine); pbrt-v4, section 12.2.1
+/// (`smoothstep`: 3δ² − 2δ³); glTF's KHR_lights_punctual (`quadratic`: δ²); Mitsuba's spot
 /// (`angle`: linear in θ).
 class SpotFalloff {
  public:

@@ -124,7 +124,7 @@ class SpotLight final : public Light {
           at_.directions.to_world({sine * std::cos(phi), sine * std::sin(phi), 1.F - away});
       widest = std::max(widest, angle_between(axis, w));
     }
-    // For what lies between the steps.
+    // Margin for angles between the steps.
     return std::min(widest + 2e-3F, kPi);
   }
   float falloff(const Vec3& local) const {

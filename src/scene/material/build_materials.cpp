@@ -45,7 +45,7 @@ std::unique_ptr<Material> make_material(const desc::Material& description,
   std::unique_ptr<Material> material =
       model->make(MaterialInputs(description, textures, made, warnings));
   material->name = description.name;
-  // That of a mix is that of its first part, unless it has one of its own.
+  // A mix inherits the relief of its first part, unless it has one of its own.
   if (description.has_relief()) material->relief = Relief(description, textures);
   return material;
 }

@@ -67,8 +67,8 @@ class CoatedConductorSurface final : public Material {
     return 2.F / (1.F + std::sqrt(1.F - 1.F / (eta * eta)));
   }
   /// α of facets that blur as much as those of the metal, seen through a coat with facets of its
-  /// own: a facet tilted by δ turns what it refracts by (1 − 1/η) δ, on the way in and out, and
-  /// what a mirror does by 2δ; variances add up.
+  /// own: a facet tilted by δ turns refracted light by (1 − 1/η) δ, on the way in and out, and
+  /// reflected light by 2δ; variances add up.
   static float blurred(float alpha, float coat_alpha, float eta) {
     const float refracted = (1.F - 1.F / eta) * coat_alpha;
     return std::sqrt(alpha * alpha + 0.5F * refracted * refracted);

@@ -64,7 +64,7 @@ class DielectricCoatedDiffuse final : public Material {
       bsdf.add(CoatedDiffuse(base, coat, inside), scale);
       return;
     }
-    // Two windows are two ways through the coat; what comes through one fills the hemisphere again.
+    // Two windows are two ways through the coat; light through one fills the hemisphere again.
     const float windows = inside_ == "windows" ? coat.mean_transmittance() : 1.F;
     bsdf.add(CoatedDiffuse(Spectrum(1.F), coat, inside), scale * base * windows);
   }

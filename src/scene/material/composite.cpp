@@ -3,8 +3,8 @@
 namespace ajar {
 namespace {
 
-/// Sum of a diffuse, a glossy, a mirror and a refracting part, all scaled by `opacity`; what is not
-/// opaque lets light pass straight through.
+/// Sum of a diffuse, a glossy, a mirror and a refracting part, all scaled by `opacity`; the rest
+/// lets light pass straight through.
 class Composite final : public Material {
  public:
   explicit Composite(const MaterialInputs& in)

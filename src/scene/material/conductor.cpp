@@ -4,7 +4,7 @@
 namespace ajar {
 namespace {
 
-/// Rough or polished conductor; copper unless told otherwise.
+/// Rough or polished conductor; copper by default.
 class ConductorSurface final : public Material {
  public:
   explicit ConductorSurface(const MaterialInputs& in)

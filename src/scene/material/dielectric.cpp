@@ -61,7 +61,7 @@ class Dielectric final : public Material {
   bool thin_;
   bool polarised_;
   bool along_normal_;
-  /// Nothing is reflected or bent; what also tints nothing is not there.
+  /// Nothing is reflected or bent; without a tint it is an interface.
   bool is_nothing_ = false;
   bool uncounted_;
 };

@@ -23,7 +23,7 @@ RoughnessScale scale_of(std::string_view name) {
   return name == "square" ? RoughnessScale::Square : RoughnessScale::Alpha;
 }
 
-/// Gray for what cannot be found.
+/// Gray for missing materials.
 const Material& fallback() {
   static const auto kGray = [] {
     const desc::Material diffuse{.name = "", .where = {}, .node = desc::material_node("diffuse")};

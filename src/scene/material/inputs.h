@@ -7,11 +7,10 @@
 #include "scene/bsdf/microfacet.h"
 #include "scene/material/registry.h"
 
-/// What materials are made from, and how they read their textures: whatever a texture says, a lobe
-/// gets values it can work with.
+/// Inputs of materials; textures are clamped to values that lobes accept.
 namespace ajar {
 
-/// The description of one material, with what it refers to.
+/// The description of one material, with its references.
 class MaterialInputs {
  public:
   /// `made` are the materials before this one.
@@ -39,9 +38,9 @@ class MaterialInputs {
 
 /// An index of refraction, or a texture.
 ParameterSpec index_input();
-/// "coat_depth", what `coat_depth` reads.
+/// "coat_depth", for `coat_depth`.
 ParameterSpec coat_depth_input();
-/// "coat_transmission", what `coat_pass` reads.
+/// "coat_transmission", for `coat_pass`.
 ParameterSpec coat_transmission_input();
 CoatPass coat_pass(const desc::Node& node);
 /// "roughness" and "roughness_scale".
@@ -49,7 +48,7 @@ std::vector<ParameterSpec> isotropic_roughness_inputs(std::string value);
 /// "roughness", "roughness_v" and "roughness_scale".
 std::vector<ParameterSpec> roughness_inputs(std::string value);
 
-/// "distribution", with `others` beside those of facets, and "masking": what `facet_model` reads.
+/// "distribution", with `others` beside those of facets, and "masking", for `facet_model`.
 std::vector<ParameterSpec> facet_inputs(std::vector<std::string> others = {});
 /// Facets of a layer whose distribution has a name of its own; "masking" is common to all.
 FacetModel facet_model(const desc::Node& node, std::string_view distribution = "distribution");
@@ -76,8 +75,8 @@ inline Spectrum coat_depth(const TextureSlot& slot, const SurfacePoint& at) {
 /// narrows to nothing, must be treated as smooth.
 inline bool index_matched(float eta) { return std::abs(eta - 1.F) < 1e-3F; }
 
-/// What the roughness of a material is: the microfacets' α, pbrt-v3's artist-friendly number, or
-/// α² as pbrt-v4 has it.
+/// Convention of a roughness parameter: the microfacets' α, pbrt-v3's artist-friendly number, or α²
+/// as pbrt-v4 has it.
 enum class RoughnessScale { Alpha, Log, Square };
 float microfacet_alpha(RoughnessScale scale, float roughness);
 
@@ -87,7 +86,7 @@ class RoughnessSlot {
   /// Reads the parameters of `roughness_inputs`, or of `isotropic_roughness_inputs` if the material
   /// has those.
   explicit RoughnessSlot(const MaterialInputs& inputs);
-  /// Of a layer with parameters of its own names; "roughness_scale" is common to all.
+  /// Roughness of a layer with parameters of its own names; "roughness_scale" is common to all.
   RoughnessSlot(const MaterialInputs& inputs, std::string_view name_u, std::string_view name_v);
   bool isotropic() const { return isotropic_; }
   /// True if it is the constant zero.

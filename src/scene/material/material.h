@@ -27,7 +27,7 @@ class Material {
     bsdf(at, result);
     return result;
   }
-  /// Whether it spreads light over a hemisphere and does nothing else, whatever its textures.
+  /// True if it only spreads light over a hemisphere, whatever its textures.
   virtual bool is_diffuse() const { return false; }
   /// No surface: rays pass straight through and only the medium changes.
   virtual bool is_interface() const { return false; }

@@ -109,8 +109,8 @@ TEST(Materials, HaveDefaults) {
   EXPECT_EQ(f.warnings.count(), 0U);
 }
 
-/// What may stay without chains: of a mixture of diffuse materials nobody has asked it.
-TEST(Materials, SayWhetherTheyAreDiffuse) {
+/// Mixtures of diffuse materials do not claim to be diffuse.
+TEST(Materials, ReportWhetherTheyAreDiffuse) {
   Fixture f;
   const auto smooth = f.add("diffuse");
   const auto rough = f.add("diffuse", {{"sigma", 20.F}});
@@ -124,7 +124,7 @@ TEST(Materials, SayWhetherTheyAreDiffuse) {
   EXPECT_TRUE(f.materials[static_cast<std::size_t>(rough)]->is_diffuse());
 }
 
-TEST(Materials, NodesOfNoModelAreLocatedErrors) {
+TEST(Materials, NodesWithoutAModelAreLocatedErrors) {
   Fixture f;
   f.add(desc::Node());
   f.scene.materials[0].where = {std::make_shared<const std::string>("a.pbrt"), 3, 1};
@@ -225,8 +225,8 @@ TEST(Facets, HideEachOtherTogetherOrAlone) {
                                {"distribution", std::string(distribution)},
                                {"masking", std::string(masking)}});
   };
-  // Of the same directions, only the masking differs. Source: Heitz 2014, equations 23 and 99, with
-  // Λ of both directions alike.
+  // Equal directions; only the masking differs. Source: Heitz 2014, equations 23 and 99, with Λ of
+  // both directions alike.
   const Vec3 wo = direction(75.F, 0.F);
   const Vec3 wi = direction(75.F, 180.F);
   const auto expect_ratio = [&](const char* distribution, double lambda) {
@@ -377,7 +377,7 @@ TEST(Materials, AnisotropyFollowsTheTangent) {
             10.F * bsdf.eval(up, direction(30.F, 0.F), kRadiance)[0]);
 }
 
-TEST(Material, KnowsWhetherItsIndexVaries) {
+TEST(Material, ReportsWhetherItsIndexVaries) {
   Fixture f;
   const auto glass = f.add("dielectric", {{"eta", f.constant(1.4F)}});
   const auto layered = f.add("dielectric", {{"eta", f.ramp(2.F)}});

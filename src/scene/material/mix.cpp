@@ -37,7 +37,7 @@ class Mix final : public Material {
   int max_lobes_;  ///< kept: asking the parts each time doubles with every level of nesting
 };
 
-/// What stands for a mix of too many lobes: its first material.
+/// Replacement for a mix of too many lobes: its first material.
 class FirstOfMix final : public Material {
  public:
   /// `first` outlives this, and is none of these itself, so that they cannot nest.

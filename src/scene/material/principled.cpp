@@ -13,9 +13,9 @@ Microfacets stretched_facets(FacetModel model, float roughness, float aspect) {
 }
 
 /// Disney's "principled" model. Sources: Burley 2012 and 2015, combined as Mitsuba 3 or pbrt-v3 do;
-/// or in layers, as in appendix B of glTF 2.0. What transmits has an inside, where it is mere
-/// glass, as in Mitsuba: pbrt's has diffuse light there beside total reflection, which grows
-/// without end. All else is the same from both sides.
+/// or in layers, as in appendix B of glTF 2.0. Transmissive materials have an inside, where they
+/// are mere glass, as in Mitsuba: pbrt's has diffuse light there beside total reflection, which
+/// grows without bound. Others are the same from both sides.
 class Principled final : public Material {
  public:
   explicit Principled(const MaterialInputs& in);
@@ -27,7 +27,7 @@ class Principled final : public Material {
   static Blend blend_of(const std::string& name) {
     return name == "layered" ? Blend::Layered : name == "twice" ? Blend::Twice : Blend::Once;
   }
-  /// What is known of a point before its lobes are.
+  /// Data of a point that precede its lobes.
   struct Point {
     const SurfacePoint& at;
     Spectrum color;
@@ -123,7 +123,7 @@ void Principled::add_lobes(const SurfacePoint& at, const Spectrum& scale, Bsdf& 
   }
 }
 
-/// Varnish, gloss and base, each of which gets what those above it leave.
+/// Varnish, gloss and base, each of which gets the rest of the light of those above it.
 void Principled::add_layers(const Point& p, const Spectrum& scale, Bsdf& bsdf) const {
   const float share = weight(coat_, p.at);
   // Source of the limit: Pharr et al. 2023, section 9.6.2.

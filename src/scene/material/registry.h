@@ -10,13 +10,13 @@ namespace ajar {
 
 class MaterialInputs;
 
-/// A model of materials: what can be said of it and how it is made.
+/// A model of materials: its description and how it is made.
 struct MaterialModel {
   desc::Model model;
   std::unique_ptr<Material> (*make)(const MaterialInputs& inputs);
 };
 
-/// Every model there is. `desc::models` makes their descriptions known to those who do not render.
+/// All models. `desc::models` gives their descriptions to code that does not render.
 const std::vector<MaterialModel>& material_models();
 
 /// The usual `MaterialModel::make`.

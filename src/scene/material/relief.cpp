@@ -24,7 +24,7 @@ Vec3 usable_normal(const Vec3& n, const SurfacePoint& at) {
   return abs_dot(ns, at.ng) >= kGrazing ? ns : at.ns;
 }
 
-/// What of `tangent` is in the plane of the shading normal: without this, a mesh with smooth
+/// Projection of `tangent` onto the plane of the shading normal: without this, a mesh with smooth
 /// normals would show its facets.
 Vec3 along_surface(const Vec3& tangent, const SurfacePoint& at) {
   return tangent - at.ns * dot(tangent, at.ns);

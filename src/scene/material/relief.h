@@ -3,7 +3,7 @@
 
 namespace ajar {
 
-/// A shading normal, and what of the surface runs along with it.
+/// A shading normal, and tangents of the surface across it.
 struct ReliefFrame {
   Vec3 ns;    ///< unit, in the hemisphere of ng
   Vec3 dpdu;  ///< not normalised
@@ -13,18 +13,18 @@ struct ReliefFrame {
 /// units). Where the displaced surface has no normal, those of `at`. Source: pbrt-v3, section 9.3.
 ReliefFrame bump_frame(const TextureSlot& displacement, const SurfacePoint& at);
 
-/// The same for a surface of which a texture says the normals: its colour c stands for the vector
-/// 2c − 1, of which `strength` multiplies the first two lanes. They are along dp/du and along that
-/// perpendicular to it on which dp/dv is; if `right_handed`, along ns × dp/du wherever dp/dv is.
-/// The third lane is along ns. Where that is no direction, the normal of `at`.
+/// Frame of a normal map: its colour c encodes the vector 2c − 1, of which `strength` multiplies
+/// the first two lanes. The axes are dp/du and the perpendicular to it on the side of dp/dv; if
+/// `right_handed`, ns × dp/du in place of the latter. The third lane is along ns. The normal of
+/// `at` where that is no direction.
 ReliefFrame normal_map_frame(const TextureSlot& normals, float strength, bool right_handed,
                              const SurfacePoint& at);
 
-/// What tilts the shading normals of a material: a bump, normals of a texture, or nothing.
+/// Tilt of the shading normals of a material: a bump, a normal map, or nothing.
 class Relief {
  public:
   Relief() = default;
-  /// Of a description with both, the bump counts.
+  /// The bump takes precedence in a description with both.
   Relief(const desc::Material& description, const TextureList& textures);
 
   bool is_flat() const { return kind_ == Kind::Flat; }

@@ -34,7 +34,7 @@ TEST(Bump, OfNoHeightKeepsTheNormalsOfASmoothMesh) {
   round.ns = normalize(Vec3(0.3F, -0.2F, 1.F));
   const Ramp level(0.F);
   EXPECT_LT(length(bump_frame(TextureSlot(&level), round).ns - round.ns), 1e-6F);
-  // What of dp/du is along the shading plane goes up with the slope.
+  // The part of dp/du along the shading plane goes up with the slope.
   const Ramp ramp(0.5F);
   const Vec3 u = Vec3(1.F, 0.F, 0.F) - round.ns * round.ns.x;
   const Vec3 v = Vec3(0.F, 1.F, 0.F) - round.ns * round.ns.y;
@@ -56,7 +56,7 @@ TEST(Bump, KeepsTheNormalOnItsSideAndWhereItIsDegenerate) {
   EXPECT_EQ(bump_frame(TextureSlot(&ramp), pinched).ns, Vec3(0.F, 0.F, 1.F));
 }
 
-/// The colour that stands for a vector in a normal map.
+/// The colour of a vector in a normal map.
 TextureSlot code_of(const Vec3& n) {
   const Vec3 c = (n + Vec3(1.F)) * 0.5F;
   return TextureSlot(Spectrum(c.x, c.y, c.z));
@@ -90,7 +90,7 @@ TEST(NormalMap, KeepsTheNormalOnItsSideAndWhereItIsNoDirection) {
   EXPECT_EQ(ns_of(code_of({nan, 0.F, 1.F}), flat_point()), up);
 }
 
-TEST(NormalMap, TiltsWhatAMaterialReflects) {
+TEST(NormalMap, TiltsTheReflectionOfAMaterial) {
   Fixture f;
   // The map in a texture: a constant one tilts, too, as a constant bump does not.
   const Vec3 n(0.6F, 0.F, 0.8F);

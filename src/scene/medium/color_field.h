@@ -24,7 +24,7 @@ class ColorField {
   /// Along `ray` for `distance`, or until the optical depth of `lane` is `most`. Infinite distances
   /// end where the box does, for the depth.
   Crossing along(const Ray& ray, float distance, int lane, float most) const;
-  /// Whether there is scattering anywhere.
+  /// True if there is scattering anywhere.
   bool scatters() const { return !most_sigma_s_.is_black(); }
 
   /// Memory beside the grid, bytes.

@@ -34,7 +34,8 @@ const Spectrum kSigmaS(3.F, 1.F, 0.25F);
 const double kFirst[3] = {2.0, 2.0, 0.0};
 const double kSecond[3] = {3.0, 0.5, 6.5};
 
-/// Of a lane, clamped at the border: as the first point up to 1/4, as the second from 3/4 on.
+/// Extinction of a lane, clamped at the border: as the first point up to 1/4, as the second from
+/// 3/4 on.
 double extinction(int lane, double x) {
   const double t = std::clamp((x - 0.25) / 0.5, 0.0, 1.0);
   return kFirst[lane] + (kSecond[lane] - kFirst[lane]) * t;
@@ -67,7 +68,7 @@ TEST(ColorField, HasTheDepthsOfItsClosedForm) {
   EXPECT_EQ(field.sigma_t({0.1F, 0.F, 0.F})[2], 1e-12F * 6.5F) << "paths are divided by it";
 }
 
-TEST(ColorField, EndsWhereTheDepthOfALaneIsWhatWasAskedFor) {
+TEST(ColorField, InvertsTheDepthOfALane) {
   const ColorField field(two_colors(DensityGrid::Border::Clamp), kSigmaA, kSigmaS);
   for (int lane = 0; lane < 3; ++lane) {
     for (double x = 0.05; x < 1.0; x += 0.1) {
@@ -90,7 +91,7 @@ TEST(ColorField, SamplesDistancesByTheMeanOfTheLanes) {
   const Medium medium(
       "smoke", 0.F,
       std::make_unique<const ColorField>(two_colors(DensityGrid::Border::Clamp), kSigmaA, kSigmaS));
-  // The last bin is for what crosses the box.
+  // The last bin is for light that crosses the box.
   constexpr std::size_t kBins = 40;
   constexpr int kSamples = 100000;
   std::array<double, kBins + 1> found{};
@@ -113,7 +114,7 @@ TEST(ColorField, SamplesDistancesByTheMeanOfTheLanes) {
   }
   const boost::math::chi_squared_distribution<double> chi_squared(kBins);
   EXPECT_GT(boost::math::cdf(boost::math::complement(chi_squared, statistic)), 1e-4);
-  // What `Segment::distance_pdf` says, and survival, are all there is.
+  // `Segment::distance_pdf` and survival add up to one.
   double sum = survival(1.0);
   constexpr int kPoints = 1000;
   for (int i = 0; i < kPoints; ++i) {

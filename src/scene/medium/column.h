@@ -4,18 +4,18 @@
 
 namespace ajar {
 
-/// What light meets of a medium along a piece of a ray.
+/// Optical depth of a medium along a piece of a ray.
 struct Column {
   float distance;  ///< length of the piece, scene units
   float density;   ///< integral of the density along it, scene units; where it is 1, the length
-  bool reached;    ///< ends because the integral is what was asked for
+  bool reached;    ///< ends because the requested integral is reached
 };
 
-/// The same with coefficients.
+/// A crossed piece with coefficients.
 struct Crossing {
   float distance;  ///< length of the piece, scene units
   Spectrum depth;  ///< optical depth per lane: integral of the extinction along it, finite
-  bool reached;    ///< ends because the depth of a lane is what was asked for
+  bool reached;    ///< ends because the requested depth of a lane is reached
 };
 
 }  // namespace ajar

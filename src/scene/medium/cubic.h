@@ -6,7 +6,7 @@
 
 #include "core/vector.h"
 
-/// What is trilinear in a cell is a cubic polynomial along a ray: its integral is known, and
+/// A trilinear field is a cubic polynomial along a ray within a cell: its integral is known, and
 /// inverted. Values are numbers, or three of them.
 namespace ajar::cubic {
 

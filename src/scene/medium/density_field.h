@@ -16,9 +16,8 @@ class DensityField {
   /// `density` must be free of complaints, and without colours.
   explicit DensityField(const desc::Density& density);
 
-  /// Density at a point of the world, positive: what lies outside of the box counts as the nearest
-  /// point in it, and vacuum as very thin. Light scatters at neither, but rounding puts points
-  /// there.
+  /// Density at a point of the world, positive: points outside of the box count as the nearest in
+  /// it, and vacuum as very thin. Light scatters at neither, but rounding puts points there.
   float at(const Vec3& p) const;
   /// Along `ray` for `distance`, or until the integral of the density is `most`. Infinite distances
   /// end where the box does, for the integral.

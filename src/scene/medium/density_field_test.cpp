@@ -111,7 +111,7 @@ TEST_P(DensityFields, IntegrateAlongRaysAsSumsOfManyPointsDo) {
   EXPECT_GT(crossed, 20);
 }
 
-TEST_P(DensityFields, EndWhereTheIntegralIsWhatWasAskedFor) {
+TEST_P(DensityFields, InvertTheIntegral) {
   const DensityField field(density());
   Rng rng(2);
   int ended = 0;
@@ -217,7 +217,7 @@ TEST(DensityField, SamplesDistancesByTheirDensity) {
   EXPECT_GT(sum, 0.5);
 }
 
-TEST(DensityGrids, HaveComplaints) {
+TEST(DensityGrids, AreValidated) {
   const auto complaint_of = [](const desc::Vec3i& resolution, std::vector<float> values,
                                DensityGrid::Points points, const Mat4& to_world) {
     return desc::complaint({std::make_shared<const DensityGrid>(
@@ -243,7 +243,7 @@ TEST(DensityGrids, HaveComplaints) {
             std::string::npos);
 }
 
-TEST(DensityGrids, OfColorsHaveComplaints) {
+TEST(DensityGrids, OfColorsAreValidated) {
   const auto complaint_of = [](std::vector<float> values, std::vector<Vec3> absorption,
                                std::vector<Vec3> scattering) {
     DensityGrid grid{{1, 1, 2}, std::move(values)};

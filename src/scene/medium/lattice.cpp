@@ -32,7 +32,7 @@ Lattice::Place Lattice::locate(const Vec3& p) const {
   lattice_from_world_.multVecMatrix(Vec3d(p), at);
   Place place;
   for (int axis = 0; axis < 3; ++axis) {
-    // Comparisons in this order make a bound of what is no number.
+    // Comparisons in this order map NaN to a bound.
     const double x = std::min(std::max(low_[axis], at[axis]), high_[axis]);
     place.cell[axis] = std::clamp(static_cast<int>(std::floor(x)), first_[axis], last_[axis]);
     place.inside[axis] = x - static_cast<double>(place.cell[axis]);

@@ -31,15 +31,15 @@ class Lattice {
   /// `density` must be free of complaints.
   explicit Lattice(const desc::Density& density);
 
-  /// Of a point of the world, or of the nearest one in the box.
+  /// Place of a point of the world, or of the nearest one in the box.
   Place locate(const Vec3& p) const;
   Inside clip(const Ray& ray, float distance) const;
 
-  /// `value_at(index)` of a point, the index being that in arrays of the grid. Of what is no point:
+  /// `value_at(index)` of a point, the index being that in arrays of the grid. Outside of the grid:
   /// `beyond`, or the value of the nearest one if the grid's border is clamped.
   template <typename Value, typename ValueAt>
   Value value(const Cell& point, const ValueAt& value_at, const Value& beyond) const;
-  /// The same at the corners of a cell; x varies fastest, then y.
+  /// Values at the corners of a cell; x varies fastest, then y.
   template <typename Value, typename ValueAt>
   std::array<Value, 8> corners(const Cell& cell, const ValueAt& value_at,
                                const Value& beyond) const;

@@ -2,7 +2,7 @@
 
 namespace ajar {
 
-/// What stands for vacuum at vertices, relative to the largest density: densities of paths are
+/// Density in place of vacuum at vertices, relative to the largest density: densities of paths are
 /// divided by it.
 inline constexpr float kThinnest = 1e-12F;
 

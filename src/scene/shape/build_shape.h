@@ -11,8 +11,8 @@
 
 namespace ajar {
 
-/// What rays meet of a shape, of one of the kinds that `Geometry` can hand to Embree; nothing if
-/// there is nothing to meet.
+/// Geometry of a shape, of one of the kinds that `Geometry` can hand to Embree; nothing if it is
+/// empty.
 using BuiltShape = std::variant<std::monostate, Quadric, std::unique_ptr<const TriangleMesh>,
                                 std::unique_ptr<const CurveShape>>;
 

@@ -3,7 +3,7 @@
 namespace ajar {
 namespace {
 
-constexpr std::uint64_t kTreeBytesPerSegment = 300;  // of Embree; a bound, not measured
+constexpr std::uint64_t kTreeBytesPerSegment = 300;  // memory of Embree; a bound, not measured
 
 CurveShape::Type type_of(const desc::Node& node) {
   if (node.text("type") == "cylinder") return CurveShape::Type::Cylinder;

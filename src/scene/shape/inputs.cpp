@@ -10,7 +10,7 @@ constexpr WarningKind kNoArea{Effect::Geometry, "shapes have no area and are lef
 // Measured: Embree 3.13 keeps 67 bytes per triangle in meshes of 25 000 to 130 000. While it builds
 // there are as many again.
 constexpr std::uint64_t kTreeBytesPerTriangle = 135;
-constexpr std::uint64_t kBytesPerVertex = 64;    // of a TriangleMesh with all attributes
+constexpr std::uint64_t kBytesPerVertex = 64;    // size in a TriangleMesh with all attributes
 constexpr std::uint64_t kBytesPerTriangle = 12;  // its indices
 
 }  // namespace

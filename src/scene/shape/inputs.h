@@ -31,7 +31,7 @@ class ShapeInputs {
   Warnings& warnings_;
 };
 
-// What several models have in common.
+// Parameters that several models share.
 
 /// "radius", from the axis.
 ParameterSpec radius_input();

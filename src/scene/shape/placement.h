@@ -5,7 +5,7 @@
 
 namespace ajar {
 
-/// An invertible transform of a shape and what follows from it, in double precision.
+/// An invertible transform of a shape and derived quantities, in double precision.
 class Placement {
  public:
   /// Empty if `to_world` is singular or not finite.

@@ -7,8 +7,8 @@
 
 namespace ajar {
 
-/// What u and v of a disk are. The angle is given as its share of φ_max, the radius as its share of
-/// the way from the hole to the rim.
+/// Parameterisation u, v of a disk. The angle is given as its share of φ_max, the radius as its
+/// share of the way from the hole to the rim.
 enum class DiskCoordinates { AngleThenRadiusInward, RadiusThenAngle, AngleThenRadius };
 
 /// A piece of a surface of revolution about z, in object space and double precision. Every point is
@@ -38,7 +38,7 @@ class Quadric {
       DiskCoordinates coordinates = DiskCoordinates::AngleThenRadiusInward);
   /// `radius` is that at the upper end.
   static std::optional<Quadric> paraboloid(float radius, float z_min, float z_max, float phi_max);
-  /// What the line from `p1` to `p2` makes that turns around z.
+  /// Surface of revolution of the line from `p1` to `p2` around z.
   static std::optional<Quadric> ruled(const Vec3& p1, const Vec3& p2, float phi_max);
 
   /// `direction` need not be a unit vector; roots of either sign, on the existing part only.

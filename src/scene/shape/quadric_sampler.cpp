@@ -203,7 +203,7 @@ class SphereSampler final : public SurfaceSampler {
   bool reversed_;
   Vec3d center_;
   double radius_;
-  double rounding_;  ///< of the coordinates of a point of the sphere
+  double rounding_;  ///< rounding error of the coordinates of a point of the sphere
 };
 
 }  // namespace

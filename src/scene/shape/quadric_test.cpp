@@ -18,7 +18,7 @@ struct Case {
   Quadric quadric;
   /// Zero on the untrimmed surface.
   std::function<double(const Vec3d&)> implicit;
-  /// Whether a point of that surface belongs to the shape.
+  /// True if a point of that surface belongs to the shape.
   std::function<bool(const Vec3d&)> inside;
 };
 

@@ -2,8 +2,8 @@
 
 namespace ajar {
 
-// Each is defined in the file of its name. A list by hand, because a linker leaves out what a
-// library registers by itself.
+// Each is defined in the file of its name. Listed by hand, because a linker drops self-registering
+// objects of a library.
 ShapeModel cone_shape();
 ShapeModel curves_shape();
 ShapeModel cylinder_shape();

@@ -10,7 +10,7 @@ namespace ajar {
 
 class ShapeInputs;
 
-/// A model of shapes: what can be said of it and how it is made.
+/// A model of shapes: its description and how it is made.
 struct ShapeModel {
   desc::Model model;
   BuiltShape (*make)(const ShapeInputs& inputs);
@@ -18,7 +18,7 @@ struct ShapeModel {
   std::uint64_t (*memory)(const desc::Shape& shape) = nullptr;
 };
 
-/// Every model there is. `desc::models` makes their descriptions known to those who do not render.
+/// All models. `desc::models` gives their descriptions to code that does not render.
 const std::vector<ShapeModel>& shape_models();
 
 }  // namespace ajar

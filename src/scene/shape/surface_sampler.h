@@ -40,8 +40,8 @@ class SurfaceSampler {
   virtual std::optional<SurfaceSample> sample_toward(const Vec3& reference,
                                                      const SurfaceUniforms& u) const;
   virtual Pdf<Area> pdf_toward(const Vec3& reference, const SurfacePoint& point) const;
-  /// The numbers by which `sample` and `sample_toward` give `point`; what they forget is taken from
-  /// `fresh` (docs/methods/inverses.md). Empty if they never do.
+  /// The numbers by which `sample` and `sample_toward` give `point`; undetermined ones are taken
+  /// from `fresh` (docs/methods/inverses.md). Empty if they never do.
   virtual std::optional<SurfaceUniforms> invert(const SurfacePoint& point,
                                                 const SurfaceUniforms& fresh) const = 0;
   virtual std::optional<SurfaceUniforms> invert_toward(const Vec3& reference,

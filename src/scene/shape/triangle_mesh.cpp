@@ -84,8 +84,8 @@ Vec3 unit_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   return Frame::around(Vec3((e1.length() >= e2.length() ? e1 : e2) / along)).x;
 }
 
-/// How far Embree's plane test of a triangle can be off; 0 if that is no more than the roundings
-/// that `offset_ray_origin` leaves for it.
+/// Error of Embree's plane test of a triangle; 0 if it is no more than the roundings that
+/// `offset_ray_origin` leaves for it.
 float plane_error_of(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const Vec3d e1 = Vec3d(p1) - Vec3d(p0);
   const Vec3d e2 = Vec3d(p2) - Vec3d(p0);
@@ -169,7 +169,7 @@ void TriangleMesh::place(const Placement& placement, bool unique) {
   if (has_normals_ || has_uvs_) {
     place_with_attributes(placement);
     if (unique) {
-      // Nobody else looks at the mesh, and it was not created const (see the header).
+      // The mesh is uniquely owned, and was not created const (see the header).
       auto& mine = const_cast<desc::Mesh&>(mesh);
       mine.positions = {};
       mine.normals = {};

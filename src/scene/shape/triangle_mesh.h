@@ -17,7 +17,7 @@ class TriangleMesh {
  public:
   using Triangle = Imath::Vec3<unsigned>;
 
-  /// Takes over `source` if nobody else holds it (the mesh must not have been created const);
+  /// Takes over `source` if it is uniquely owned (the mesh must not have been created const);
   /// otherwise only what the transform changes is copied. Raises SceneError, located at `where`,
   /// for indices out of range, and for vertices too far out and triangles too large to be traced;
   /// attributes of the wrong number are dropped with a warning.
@@ -26,8 +26,8 @@ class TriangleMesh {
 
   std::size_t triangle_count() const { return triangle_count_; }
   std::size_t vertex_count() const { return vertex_count_; }
-  /// Of vertex 0; the others follow every `position_stride` bytes, and 16 bytes may be read at each
-  /// of them.
+  /// Position of vertex 0; the others follow every `position_stride` bytes, and 16 bytes may be
+  /// read at each of them.
   const Vec3* positions() const { return positions_; }
   std::size_t position_stride() const { return stride_; }
   const Triangle* triangles() const { return triangles_; }
@@ -38,7 +38,7 @@ class TriangleMesh {
   Vec3d surface_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
     return find_point<true>(triangle, b1, b2, point);
   }
-  /// The same with all derivatives zero.
+  /// Surface point with all derivatives zero.
   Vec3d plain_point(std::uint32_t triangle, float b1, float b2, SurfacePoint& point) const {
     return find_point<false>(triangle, b1, b2, point);
   }
@@ -58,18 +58,18 @@ class TriangleMesh {
   /// within some of their own size. 0 if there are none.
   float plane_error() const { return plane_error_; }
   /// Ray parameter of the plane of a triangle in double precision; 0 for rays that start in the
-  /// plane as far as can be told, infinite if parallel.
+  /// plane up to rounding, infinite if parallel.
   double plane_distance(std::uint32_t triangle, const Vec3d& origin, const Vec3d& direction) const;
 
  private:
-  /// What a hit reads of a vertex, in one cache line.
+  /// Vertex data that a hit reads, in one cache line.
   struct alignas(32) Vertex {
     Vec3 p;
     Vec3 n;
     Vec2 uv;
   };
 
-  /// Brings vertices into place. If the source is `unique`, in its own memory or instead of it.
+  /// Transforms the vertices. If the source is `unique`, in its own memory or instead of it.
   void place(const Placement& placement, bool unique);
   void place_with_attributes(const Placement& placement);
   const Vec3& position(std::size_t vertex) const {

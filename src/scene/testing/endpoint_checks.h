@@ -10,7 +10,7 @@
 #include "scene/endpoint.h"
 #include "scene/testing/statistics.h"
 
-/// What every endpoint, light or camera, must satisfy.
+/// Invariants of every endpoint, light or camera.
 namespace ajar::testing {
 
 inline Vec2 next_pair(Rng& rng) {

@@ -10,7 +10,7 @@
 
 #include "core/random.h"
 
-/// What every inverse of a sampling routine must satisfy (docs/methods/inverses.md).
+/// Invariants of every inverse of a sampling routine (docs/methods/inverses.md).
 namespace ajar::testing {
 
 /// The uniform numbers of one sample; routines use as many as they need, from the front.
@@ -26,13 +26,13 @@ inline InverseNumbers inverse_numbers(Rng& rng) {
 struct RoundTrip {
   bool inverted = false;  ///< to numbers that sample something
   InverseNumbers numbers{};
-  double error = 0.0;  ///< how far what they sample lies from what was to be sampled
+  double error = 0.0;  ///< distance of the sample by the inverse from the given one
 };
 
 struct InverseCase {
   std::string name;
-  int numbers;       ///< how many the routine uses
-  double tolerance;  ///< of the error
+  int numbers;       ///< numbers that the routine uses
+  double tolerance;  ///< tolerance of the error
   /// Samples by `u`, inverts with `fresh`, samples again. Empty if `u` samples nothing.
   std::function<std::optional<RoundTrip>(const InverseNumbers& u, const InverseNumbers& fresh)>
       round_trip;
@@ -101,7 +101,7 @@ inline void check_inverse(const InverseCase& test, int trips = 40000) {
   if (!test.may_be_empty) {
     ASSERT_GT(inverses.size(), 500U) << "it hardly samples anything";
   }
-  // How many there are of either kind is chance.
+  // The number of either kind is random.
   const std::size_t size = std::min(inverses.size(), sampled.size());
   for (int x = 0; x < test.numbers; ++x) {
     for (int y = 0; y < std::max(x, 1); ++y) {

@@ -9,7 +9,7 @@
 #include "scene/desc/models.h"
 #include "scene/material/material.h"
 
-/// What tests of materials are made of.
+/// Fixtures for tests of materials.
 namespace ajar::testing {
 
 class Constant final : public Texture {
@@ -45,7 +45,7 @@ inline SurfacePoint flat_point() {
   return at;
 }
 
-/// A scene description of materials alone, and what is built of it.
+/// A scene description of materials alone, and its built materials.
 struct Fixture {
   desc::SceneDesc scene;
   TextureList textures;

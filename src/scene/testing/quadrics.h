@@ -8,7 +8,7 @@
 /// Quadrics for tests, with the order of parameters of their models.
 namespace ajar::testing {
 
-/// What is built of a node, in its own space; nothing if it has no area.
+/// Quadric of a node, in its own space; nothing if it has no area.
 inline std::optional<Quadric> quadric_of(const desc::Node& node) {
   desc::Shape shape;
   shape.node = node;

@@ -11,7 +11,7 @@
 #include "scene/testing/transforms.h"
 #include "scene/texture/texture.h"
 
-/// Shapes of a few triangles, and what rays meet of them.
+/// Shapes of a few triangles, and their geometry.
 namespace ajar::testing {
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();

@@ -44,7 +44,7 @@ class Builder {
   }
 
  private:
-  /// How many others a texture looks up at most, itself and its constants left out.
+  /// Largest number of other textures that a texture looks up, itself and its constants left out.
   std::uint64_t evaluations(const desc::Node& node, bool chooses) const {
     std::uint64_t all = 0;
     std::uint64_t most = 0;
@@ -73,7 +73,7 @@ class Builder {
   Warnings& warnings_;
   ImageMap images_;
   TextureList textures_;
-  std::vector<std::uint64_t> evaluations_;  ///< of textures, themselves included
+  std::vector<std::uint64_t> evaluations_;  ///< evaluations of textures, themselves included
 };
 
 }  // namespace

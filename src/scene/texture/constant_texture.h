@@ -3,7 +3,7 @@
 
 namespace ajar {
 
-/// The same value everywhere.
+/// Constant texture.
 class ConstantTexture final : public Texture {
  public:
   explicit ConstantTexture(const Spectrum& value, bool is_stand_in = false)

@@ -50,7 +50,7 @@ std::optional<ChannelRange> kept_channels(const ColorChannels& colors, ImageChan
 /// One texel of 1.
 TexelImage opaque_image() { return {1, 1, 1, false, {}, std::vector<std::uint8_t>{255}}; }
 
-/// Whether each texel is 1.
+/// True if each texel is 1.
 bool is_opaque(const TexelImage& image) {
   return std::visit(
       []<typename T>(const std::vector<T>& texels) {

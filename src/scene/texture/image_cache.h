@@ -27,7 +27,7 @@ struct TexelImage {
       texels;
 };
 
-/// What is taken of the channels of an image.
+/// Channels that are read from an image.
 enum class ImageChannel {
   Color,
   Red,
@@ -38,18 +38,18 @@ enum class ImageChannel {
   VaryingAlphaOrColor  ///< alpha beside three colours, unless it is 1 everywhere; else the colours
 };
 
-/// An image file, or one of the scene's embedded files, and what is taken of it.
+/// An image file, or one of the scene's embedded files, and its selected channels.
 struct ImageRequest {
   std::string path;
   ImageChannel channel = ImageChannel::Color;
   auto operator<=>(const ImageRequest&) const = default;
 };
 
-/// Reads an image. Of a gray image, all colours are its gray; where there is no alpha, it is 1.
+/// Reads an image. The colours of a gray image are its gray; without an alpha channel, alpha is 1.
 /// Colours are not multiplied with alpha. Throws IoError with the reason.
 TexelImage read_texel_image(const ImageRequest& request, const desc::EmbeddedFiles& embedded = {});
 
-/// What an image will take in memory, as its file says.
+/// Memory that an image will take, by its file's header.
 struct ImageSize {
   std::uint64_t texels = 0;
   std::uint64_t bytes = 0;

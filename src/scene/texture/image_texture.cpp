@@ -67,11 +67,11 @@ Wrap wrap_of(const desc::Node& node) {
   return name == "black" ? Wrap::Black : name == "clamp" ? Wrap::Clamp : Wrap::Repeat;
 }
 
-/// How the colours of an image become one number.
+/// Conversion of an image's colours to one number.
 enum class Reduction {
-  None,       ///< they do not, but where a number is asked for: luminance as pbrt-v3 takes it
-  Mean,       ///< of the decoded values
-  Luminance,  ///< of the decoded values
+  None,       ///< colours stay; where a number is asked for: luminance as pbrt-v3 takes it
+  Mean,       ///< mean of the decoded values
+  Luminance,  ///< luminance of the decoded values
 };
 
 Reduction reduction_of(const desc::Node& node) {
@@ -188,7 +188,7 @@ class ImageTexture final : public Texture {
 std::unique_ptr<const Texture> make_image_texture(const TextureInputs& in) {
   const std::shared_ptr<const TexelImage> image = in.image("file");
   if (!image) {
-    // A number is best as what leaves the rest of its material as it is.
+    // The best replacement of a number has no effect on the rest of its material.
     const bool is_color = in.node().text("channel") == "color";
     return std::make_unique<ConstantTexture>(is_color ? Spectrum(1.F, 0.F, 1.F) : Spectrum(1.F),
                                              true);

@@ -183,7 +183,7 @@ std::string written_exr(const std::string& path, const std::vector<std::string>&
   return path;
 }
 
-TEST_F(ImageTextureTest, OfLayersAndAlphaThePictureIsShown) {
+TEST_F(ImageTextureTest, ColourLayersAreUsedWithoutAlpha) {
   desc::Node node = desc::texture_node("image");
   const auto color = [&](const std::vector<std::string>& names, const std::vector<float>& values) {
     node.set("file", written_exr((folder_ / "layers.exr").string(), names, values));
@@ -206,7 +206,7 @@ TEST_F(ImageTextureTest, OfLayersAndAlphaThePictureIsShown) {
             Vec3(0.75F));
 }
 
-TEST_F(ImageTextureTest, LayersOfWhichAnyMayBeMeantAreAWarning) {
+TEST_F(ImageTextureTest, AmbiguousLayersAreAWarning) {
   desc::SceneDesc scene;
   scene.textures.push_back(
       {"",
@@ -389,7 +389,7 @@ TEST_F(ImageTextureTest, PrimariesOfTheirOwnAreAWarningForColours) {
     load_map(path, MapEdge::Clamp, {}, found);
     return found.count();
   };
-  // Of the texture, and of a light with the same file.
+  // One warning of the texture, and one of a light with the same file.
   EXPECT_EQ(warnings(wide, desc::texture_node("image")), 2U);
   EXPECT_EQ(warnings(usual, desc::texture_node("image")), 0U);
   // Normals and numbers have none.
@@ -409,7 +409,7 @@ TEST_F(ImageTextureTest, UnreadableImagesOfNumbersChangeNothingElse) {
   const TextureList textures = build_textures(scene, warnings);
   EXPECT_EQ(textures[0]->eval(at_uv(0.3F, 0.3F)), Spectrum(1.F));
   EXPECT_TRUE(warnings.messages().front().ends_with("it is replaced by 1"));
-  // Nor does a normal map tilt what it should.
+  // Nor does a normal map tilt the normal.
   desc::Material material;
   material.normal_map.texture = 1;
   EXPECT_TRUE(Relief(material, textures).is_flat());

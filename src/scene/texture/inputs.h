@@ -12,7 +12,7 @@ namespace ajar {
 /// one.
 std::vector<ImageRequest> image_requests(const desc::Node& node);
 
-/// The description of one texture, with what it refers to.
+/// The description of one texture, with its references.
 class TextureInputs {
  public:
   /// `made` are the textures before this one, `images` the files of all.

@@ -10,7 +10,7 @@ namespace ajar {
 /// From a surface point to texture coordinates (s, t). Source: pbrt-v3, section 10.2.
 class TextureMapping {
  public:
-  /// Of a node with the parameters of `mapping_parameters`.
+  /// Mapping of a node with the parameters of `mapping_parameters`.
   explicit TextureMapping(const desc::Node& node);
   Vec2 map(const SurfacePoint& at) const {
     if (const auto* uv = std::get_if<Uv>(&mapping_)) {
@@ -44,9 +44,9 @@ class TextureMapping {
   Mapping mapping_;
 };
 
-/// What textures declare that have a `TextureMapping`.
+/// Parameters of textures that have a `TextureMapping`.
 std::vector<ParameterSpec> mapping_parameters();
-/// What textures declare that have a space of their own.
+/// Parameter of textures that have a space of their own.
 ParameterSpec texture_space();
 
 }  // namespace ajar

@@ -33,7 +33,7 @@ std::unique_ptr<const Texture> make_solid(const TextureInputs& in, Function func
                                                   function);
 }
 
-/// How noise of several octaves adds up.
+/// Parameters of noise of several octaves.
 std::vector<ParameterSpec> noise_parameters() {
   return {declare::integer("octaves", "8", "octaves of noise, each of twice the frequency", 0, 64),
           declare::number("roughness", "0.5", "strength of each octave relative to the one before"),

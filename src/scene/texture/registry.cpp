@@ -2,8 +2,8 @@
 
 namespace ajar {
 
-// Each is defined in a file of this folder. A list by hand, because a linker leaves out what a
-// library registers by itself.
+// Each is defined in a file of this folder. Listed by hand, because a linker drops self-registering
+// objects of a library.
 TextureModel bilinear_texture();
 TextureModel checkerboard_texture();
 TextureModel constant_texture();

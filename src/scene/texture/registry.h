@@ -10,7 +10,7 @@ namespace ajar {
 
 class TextureInputs;
 
-/// A model of textures: what can be said of it and how it is made.
+/// A model of textures: its description and how it is made.
 struct TextureModel {
   desc::Model model;
   std::unique_ptr<const Texture> (*make)(const TextureInputs& inputs);
@@ -18,7 +18,7 @@ struct TextureModel {
   bool chooses = false;
 };
 
-/// Every model there is. `desc::models` makes their descriptions known to those who do not render.
+/// All models. `desc::models` gives their descriptions to code that does not render.
 const std::vector<TextureModel>& texture_models();
 
 /// The usual `TextureModel::make`.

@@ -21,7 +21,7 @@ class Texture {
   virtual float eval_float(const SurfacePoint& at) const { return eval(at)[0]; }
   /// The value, if it is the same everywhere.
   virtual const Spectrum* constant() const { return nullptr; }
-  /// Whether it stands for a file that could not be read.
+  /// True if it replaces a file that could not be read.
   virtual bool is_stand_in() const { return false; }
 };
 

@@ -85,7 +85,7 @@ TEST_F(TextureTest, MixWeighsWithItsAmount) {
   EXPECT_NEAR(texture.eval_float(at_uv(0.25F, 0.9F)), 0.75F, 1e-6F);
 }
 
-/// What building raises, or "no error".
+/// Error of building the scene, or "no error".
 std::string error_of(const desc::SceneDesc& scene) {
   Warnings warnings;
   try {
@@ -96,7 +96,7 @@ std::string error_of(const desc::SceneDesc& scene) {
   return "no error";
 }
 
-TEST_F(TextureTest, TexturesOfTexturesMayNotDoubleTheirWorkForEver) {
+TEST_F(TextureTest, ExponentialNestingIsRefused) {
   // Each looks up the one before twice, which 2^n lookups come of.
   auto last = add("bilinear");
   for (int level = 0; level < 11; ++level) last = add_product(TextureRef{last}, TextureRef{last});
@@ -216,7 +216,7 @@ TEST_F(TextureTest, MarbleHasPlausibleColours) {
   }
 }
 
-TEST_F(TextureTest, WhatIsNotGivenHasItsDefault) {
+TEST_F(TextureTest, MissingParametersHaveTheirDefaults) {
   add("mix");
   EXPECT_EQ(built().eval_float(at_uv(0.F, 0.F)), 0.5F);
 }

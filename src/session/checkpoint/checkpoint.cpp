@@ -30,12 +30,12 @@ constexpr std::uint32_t kCheckpointFormat = 22;
 constexpr std::array<char, 16> kMagic = {'A', 'j', 'a', 'r', ' ', 'c', 'h', 'e',
                                          'c', 'k', 'p', 'o', 'i', 'n', 't', '\n'};
 
-/// How a file begins, in this and all later formats.
+/// Beginning of a file, in this and all later formats.
 struct Header {
   std::array<char, 16> magic = kMagic;
   std::uint32_t format = kCheckpointFormat;
   std::uint32_t content_checksum = 0;  ///< CRC-32 of all that follows the header
-  std::uint64_t head_bytes = 0;        ///< what cereal wrote
+  std::uint64_t head_bytes = 0;        ///< size of cereal's part
   std::uint64_t sums = 0;              ///< 8 bytes each, after that
   std::uint64_t header_checksum = 0;   ///< CRC-32 of the fields before
 };

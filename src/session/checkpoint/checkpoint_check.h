@@ -3,9 +3,9 @@
 
 namespace ajar {
 
-/// Whether this program can have written it: all that later code relies on. A file's checksums say
-/// only that it is as its author made it. Raises std::runtime_error with what is wrong. The
-/// integrator's state is left to `Integrator::load_state`.
+/// Checks all invariants of a checkpoint that later code relies on. Checksums protect a file from
+/// damage only, not from its author. Raises std::runtime_error with the fault.
+/// `Integrator::load_state` checks the integrator's state.
 void check_sense(const Checkpoint& checkpoint);
 
 /// Sums of a film with these layers fill `sums` exactly, so that it may be made.

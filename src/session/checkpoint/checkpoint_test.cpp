@@ -321,7 +321,7 @@ TEST_F(CheckpointFile, OfAnotherSceneIsRefused) {
   check_scene(checkpoint_, 77, checkpoint_.layers, path_, false);
   EXPECT_THROW(check_scene(checkpoint_, 78, checkpoint_.layers, path_, false), UsageError);
   check_scene(checkpoint_, 78, checkpoint_.layers, path_, true);
-  // What looks different is refused in any case.
+  // Different layers are refused in any case.
   std::vector<LayerSpec> brighter = checkpoint_.layers;
   brighter[0].magnitude *= 1.0001;
   EXPECT_THROW(check_scene(checkpoint_, 77, brighter, path_, true), UsageError);

@@ -14,7 +14,7 @@ namespace ajar {
 
 namespace {
 
-/// What is in a checkpoint: its seed, or those that were merged in it.
+/// Runs in a checkpoint: its seed, or those that were merged in it.
 std::vector<MergedRun> runs_of(const Checkpoint& checkpoint) {
   if (!checkpoint.merged.empty()) return checkpoint.merged;
   return {{checkpoint.render.settings.seed, checkpoint.job.samples_per_pixel}};
@@ -22,7 +22,7 @@ std::vector<MergedRun> runs_of(const Checkpoint& checkpoint) {
 
 std::uint64_t seed_of(const NamedCheckpoint& part) { return part.checkpoint.render.settings.seed; }
 
-/// Whether two are of one picture, but for seed and share.
+/// Checks that two are of one picture, but for seed and share.
 void check_fits(const NamedCheckpoint& first, const NamedCheckpoint& part, bool force) {
   if (part.checkpoint.version != version() && !force) {
     throw UsageError(
@@ -58,7 +58,7 @@ void add_counters(Checkpoint& sum, const Checkpoint& other) {
   sum.resumptions += other.resumptions;
 }
 
-/// What does not fit is cut off, as films do.
+/// Sums saturate, as those of films.
 std::int64_t sum_of(std::int64_t a, std::int64_t b) {
   std::int64_t sum = 0;
   if (!__builtin_add_overflow(a, b, &sum)) return sum;
@@ -111,7 +111,7 @@ NamedCheckpoint join_shares(std::vector<NamedCheckpoint> shares) {
                    whole.checkpoint.sums.begin(), sum_of);
     add_counters(whole.checkpoint, part);
     JobState& job = whole.checkpoint.job;
-    // They were rendered at the same time, or could have been.
+    // Wall clock: parts may have been rendered at the same time.
     job.seconds = std::max(job.seconds, part.job.seconds);
     job.seconds_per_sample = std::max(job.seconds_per_sample, part.job.seconds_per_sample);
   }
@@ -168,7 +168,7 @@ void check_seeds(const NamedCheckpoint& sum, const NamedCheckpoint& part) {
 Checkpoint merge(std::vector<NamedCheckpoint> parts, bool force) {
   if (parts.empty()) throw UsageError("there is nothing to merge");
   for (const NamedCheckpoint& part : parts) check_fits(parts.front(), part, force);
-  // Those of one seed, in the order in which seeds are named; merges stand for themselves.
+  // Parts of one seed, in the order in which seeds are named; merges are groups of their own.
   std::vector<std::vector<NamedCheckpoint>> groups;
   for (NamedCheckpoint& part : parts) {
     const bool is_merge = part.checkpoint.merged.size() > 1;

@@ -94,7 +94,7 @@ TEST(Merge, OrderDoesNotMatter) {
 TEST(Merge, ErrorFallsWithTheSamples) {
   const double alone = merged(part(1, 64)).job.relative_error.value().value;
   const Checkpoint sum = merged(part(1, 64), part(2, 64), part(3, 64), part(4, 64));
-  // Of 273 values with 3 degrees of freedom each: standard error about 3 %.
+  // Based on 273 values with 3 degrees of freedom each: standard error about 3 %.
   EXPECT_NEAR(sum.job.relative_error.value().value / alone, 0.5, 0.08);
 }
 

@@ -22,9 +22,9 @@ class BetweenPasses final : public PassObserver {
 
   /// From here on passes run, on this thread.
   void open();
-  /// They are over: who waits still sees what they have come to.
+  /// The passes are over: waiting threads still see the final picture.
   void close(const Film& film, const JobState& state);
-  /// They came to nothing. May be called more than once, and after `close`.
+  /// The passes failed. May be called more than once, and after `close`.
   void close();
 
   bool wants_picture(const JobState& state) override;

@@ -8,17 +8,17 @@ namespace ajar {
 /// interrupted.
 struct Budget {
   std::optional<std::uint64_t> samples_per_pixel;  ///< rounded up to whole samples per replicate
-  std::optional<double> seconds;                   ///< of rendering, wall clock
+  std::optional<double> seconds;                   ///< time of rendering, wall clock
   std::optional<double> target_error;              ///< relative error of the whole picture
   bool denoised_target = false;                    ///< ... of the denoised one
   bool is_empty() const { return !samples_per_pixel && !seconds && !target_error; }
 };
 
-/// What is known when the next pass is planned.
+/// Statistics for planning the next pass.
 struct PassHistory {
   std::uint64_t samples_done = 0;   ///< per pixel
   double seconds = 0.0;             ///< since the render began
-  double seconds_per_sample = 0.0;  ///< of the latest pass, per sample per pixel
+  double seconds_per_sample = 0.0;  ///< seconds of the latest pass, per sample per pixel
 };
 
 /// Cuts a render into passes of one or more samples per pixel. Decisions that look

@@ -3,7 +3,7 @@
 
 namespace ajar {
 
-/// How often the user asked to stop (Ctrl-C, SIGTERM): 0 go on; 1 finish the pass; 2 skip what has
+/// Number of requests to stop (Ctrl-C, SIGTERM): 0 go on; 1 finish the pass; 2 skip items that have
 /// not begun.
 using InterruptCount = std::atomic<int>;
 
@@ -17,7 +17,7 @@ void install_interrupt_handlers();
 void begin_render();
 /// The counter; zero until a signal arrives during a render.
 InterruptCount& interrupt_count();
-/// How often the picture was asked for.
+/// Number of requests for the picture.
 const InterruptCount& picture_requests();
 
 }  // namespace ajar

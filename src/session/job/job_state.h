@@ -15,9 +15,9 @@ struct PartialPass {
   std::uint64_t samples = 0;
   std::vector<std::uint8_t> done;  ///< per item of the round, 0 or 1
   int round = 0;
-  int rounds = 1;  ///< of the pass
+  int rounds = 1;  ///< rounds of the pass
 
-  /// What of it is done, in [0, 1]; all rounds count the same.
+  /// Finished part of it, in [0, 1]; all rounds count equally.
   double fraction() const;
 };
 
@@ -29,13 +29,13 @@ struct JobState {
     std::uint64_t samples = 0;
     double error = 0.0;
   };
-  std::uint64_t samples_per_pixel = 0;  ///< of passes that are complete
+  std::uint64_t samples_per_pixel = 0;  ///< samples of complete passes
   std::optional<PartialPass> partial;
   Counters counters;
   std::uint64_t passes = 0;
-  double seconds = 0.0;        ///< of rendering, wall clock, all runs together
-  double cpu_seconds = 0.0;    ///< of all threads
-  double chain_seconds = 0.0;  ///< of all threads: for items of Markov chains
+  double seconds = 0.0;        ///< time of rendering, wall clock, all runs together
+  double cpu_seconds = 0.0;    ///< CPU time of all threads
+  double chain_seconds = 0.0;  ///< CPU time of all threads: for items of Markov chains
   double seconds_per_sample = 0.0;
   std::optional<RelativeError> relative_error;
   std::uint64_t error_samples = 0;       ///< per pixel, when `relative_error` was taken
@@ -46,10 +46,10 @@ struct JobState {
   std::uint64_t mean_samples() const;
 };
 
-/// Whether the error of a picture can be said to have reached `target` at the last of these
-/// milestones. An estimate can be low by luck, most easily an early one. So all of the latest
-/// estimates must agree, each lowered by the samples that have come since: those from a half of the
-/// present samples on, and at least three.
+/// True if the error of a picture has reached `target` at the last of these milestones. Single
+/// estimates can be low by luck, most easily early ones. So all of the latest estimates must agree,
+/// each lowered by the samples that have come since: those from a half of the present samples on,
+/// and at least three.
 bool target_is_reached(const std::vector<JobState::ErrorMark>& recent, double target);
 /// Forgets what `target_is_reached` does not need any more.
 void forget_old_errors(std::vector<JobState::ErrorMark>& recent);

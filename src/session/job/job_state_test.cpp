@@ -103,10 +103,10 @@ class SkewedPicture {
   std::array<std::array<double, kPixels>, kReplicates> sums_{};
 };
 
-/// Of 2000 such renders: how many stop while their error is still more than half again as large as
-/// asked for, with the rule and with the first estimate that is low enough. The shares' standard
-/// errors are below 0.9 %; measured are 4.8 % with the rule, 16.6 % without, at 1.29 times the
-/// samples that are needed. A rule that is half as good, or takes twice the samples, fails.
+/// Renders of 2000 that stop while their error is still more than half again as large as the
+/// target, with the rule and with the first estimate that is low enough. The standard errors are
+/// below 0.9 %; measured are 4.8 % with the rule, 16.6 % without, at 1.29 times the samples that
+/// are needed. A rule that is half as good, or takes twice the samples, fails.
 TEST(TargetError, IsSeldomReachedByLuck) {
   constexpr int kRenders = 2000;
   constexpr double kTarget = 0.1;

@@ -63,7 +63,7 @@ PreparationEnd Preparation::must_skip(const PreparationRound& next) const {
 }
 
 bool Preparation::will_be_late(double deadline) {
-  // Of those that are being worked at, half is done, on average.
+  // Items in progress are half done, on average.
   const double done =
       0.5 * static_cast<double>(items_begun_ + items_done_) / static_cast<double>(items_);
   if (done < SessionHeuristics::kTelling || items_done_ == 0 || has_told_.exchange(true)) {

@@ -13,25 +13,25 @@
 
 namespace ajar {
 
-/// What may keep a preparation from its end.
+/// Limits of a preparation.
 struct PreparationLimits {
   std::optional<double> seconds = std::nullopt;  ///< for this and the render together
-  /// That measures them, from any start; the wall's clock if there is none.
+  /// Clock of these seconds, from any start; the wall clock if there is none.
   std::function<double()> clock = {};
-  /// Of the picture, per pixel, if they end the render.
+  /// Samples of the picture, per pixel, if they end the render.
   std::optional<std::uint64_t> samples = std::nullopt;
-  std::uint64_t pixels = 1;  ///< of the picture
-  /// What an earlier run came to; then this one comes as far.
+  std::uint64_t pixels = 1;  ///< size of the picture
+  /// State of an earlier run, which this one repeats.
   struct CutShort {
     std::uint64_t rounds = 0;
     Shortage of = Shortage::Time;
   };
   std::optional<CutShort> earlier = std::nullopt;
   const InterruptCount* interrupts = nullptr;
-  Ranks* ranks = nullptr;  ///< who render together; they look at the limits between rounds only
+  Ranks* ranks = nullptr;  ///< cooperating processes; they check the limits between rounds only
 };
 
-/// How a preparation came to its end: all but `Done` mean that it was cut short.
+/// End of a preparation: all but `Done` mean that it was cut short.
 enum class PreparationEnd { Done, FewSamples, NoTime, Interrupted };
 
 /// Runs the rounds of an integrator's preparation on all threads that TBB may use. If the user asks
@@ -41,10 +41,10 @@ enum class PreparationEnd { Done, FewSamples, NoTime, Interrupted };
 /// that time. Where a round shows in its first tenth that it would take longer, it is given up
 /// there, and what it did is lost.
 ///
-/// Of a render that so many samples end, likewise: no round begins if samples that are not of the
-/// picture would be more than a quarter of all effort, or the whole preparation more than half of
-/// it. That is known before, by counting, so that it is the same wherever the render runs. Small
-/// pictures are prepared all the same (`SessionHeuristics::kFewToPrepare`).
+/// Renders with a limit of samples: no round begins if samples that are not kept would be more than
+/// a quarter of all effort, or the whole preparation more than half of it. Effort is counted, so
+/// that the decision is the same wherever the render runs. Small pictures are prepared all the same
+/// (`SessionHeuristics::kFewToPrepare`).
 class Preparation {
  public:
   /// Is shown what the integrator has seen so far (`Integrator::take_first_look`), on the thread of
@@ -59,7 +59,7 @@ class Preparation {
   /// To be called once. What was spent.
   Counters run();
   PreparationEnd end() const { return end_; }
-  /// That came to their end.
+  /// Completed rounds.
   std::uint64_t rounds() const { return rounds_; }
   /// At any time, from any thread: estimate, 0…1.
   double fraction_done() const;
@@ -70,16 +70,16 @@ class Preparation {
   double deadline(bool stays) const;
   /// Why to stop at once, if it is to end then; `Done`: not at all.
   PreparationEnd must_stop(double deadline) const;
-  /// Whether the round that runs will not end then. Asked often, it tells once, as soon as a tenth
-  /// of it is done: of many guesses the worst would decide.
+  /// True if the current round will not end by then. Decided once, as soon as a tenth of it is
+  /// done: of many estimates the worst would decide.
   bool will_be_late(double deadline);
   /// Up to the end of the round that is about to begin, or of the last if it needs that.
   struct Efforts {
     double all;
-    double lost;  ///< of that, what does not become part of the picture
+    double lost;  ///< part of it that is not kept
   };
   Efforts efforts_with(const PreparationRound& next) const;
-  /// Whether the picture has too few samples for the round that is about to begin, and for the
+  /// True if the picture has too few samples for the round that is about to begin, and for the
   /// later ones if it needs them.
   bool has_few_samples(const PreparationRound& next) const;
   /// Why to do without the round that is about to begin, and the later ones; the same on all ranks.
@@ -103,7 +103,7 @@ class Preparation {
   std::atomic<std::uint64_t> items_{1};
   std::atomic<std::uint64_t> items_begun_{0};
   std::atomic<std::uint64_t> items_done_{0};
-  std::atomic<bool> has_told_{false};  ///< of the round, whether it will be late
+  std::atomic<bool> has_told_{false};  ///< the lateness of the round was decided
 };
 
 /// The whole of it.

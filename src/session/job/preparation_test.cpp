@@ -215,7 +215,7 @@ TEST(Preparation, MayTakeHalfOfTheTimeForWhatStays) {
   }
 }
 
-/// What comes after it would take too long in either case.
+/// Later rounds would take too long in either case.
 TEST(Preparation, RunsRoundsThatServeAlone) {
   for (const bool alone : {false, true}) {
     Prepared integrator({1.0, 1.0, 1e9});
@@ -237,7 +237,7 @@ TEST(Preparation, IsSkippedWhereThePictureHasFewSamples) {
     double sample_effort = 1.0;
   };
   const std::vector<Case> cases = {
-      // What is lost is a quarter of all effort at most: 3 of 9 + 3.
+      // Discarded samples are a quarter of all effort at most: 3 of 9 + 3.
       {"nothing stays", {1.0, 2.0}, 9},
       // 7 of 11 + 3.
       {"half of all", {3.0, 4.0}, 11, 1},
@@ -278,7 +278,7 @@ TEST(Preparation, IsNotSkippedForWantOfSamplesIfItIsShortOrWasAskedFor) {
   }
 }
 
-/// What comes after it would be too much in either case.
+/// Later rounds would be too much in either case.
 TEST(Preparation, RunsRoundsThatServeAloneOfFewSamples) {
   for (const bool alone : {false, true}) {
     Prepared integrator({1.0, 1.0, 1e9});

@@ -23,7 +23,7 @@ namespace ajar {
 
 namespace {
 
-/// What one thread counted in one pass.
+/// Counts of one thread in one pass.
 struct ThreadTally {
   Counters counters;
   std::uint64_t first_item = std::numeric_limits<std::uint64_t>::max();
@@ -123,7 +123,7 @@ RenderJob::Decision RenderJob::decide() {
   Decision next;
   const auto stop = [&](StopReason reason) {
     next.stops = true;
-    next.shows_picture = false;  // it will be seen in the end
+    next.shows_picture = false;  // shown at the end
     next.reason = reason;
     return next;
   };
@@ -207,7 +207,7 @@ void RenderJob::run_pass(const Decision& decision, Film& before) {
   // A pass that was cut short has begun already, before the checkpoint.
   if (!decision.resumes_pass) {
     integrator_.begin_pass(decision.first_sample, decision.samples, before);
-    // What it has put on the film comes once, from the root.
+    // Additions to the film are counted once, at the root.
     if (decision.first_sample == 0 && !is_root()) film_.clear();
   }
   if (!decision.resumes_pass) {
@@ -250,7 +250,7 @@ bool RenderJob::run_round(PartialPass& pass) {
         integrator_.run_item(item, pass.first_sample, pass.samples, film_, counters);
         if (integrator_.is_of_chains(item)) tally.chain_seconds += thread_cpu_seconds() - begun;
         rays_.fetch_add(counters.rays, std::memory_order_relaxed);
-        // Which message is kept must not depend on the threads: the one of the smallest item.
+        // The message of the smallest item is kept, whatever the threads.
         if (!counters.first_discarded.empty() && item < tally.first_item) {
           tally.first_item = item;
           tally.first_discarded = std::exchange(counters.first_discarded, {});
@@ -323,7 +323,7 @@ void RenderJob::estimate(std::uint64_t samples, bool milestone) {
 
 std::optional<double> RenderJob::error_for_target(const std::optional<RelativeError>& error,
                                                   std::uint64_t samples) const {
-  // What is only a lower bound has not reached anything.
+  // Lower bounds do not reach a target.
   if (!error || error->is_lower_bound()) return std::nullopt;
   if (!options_.budget.denoised_target) return error->value;
   return options_.estimate_denoised_error(film(), samples);

@@ -27,19 +27,19 @@ const char* to_string(StopReason reason);
 struct RenderJobOptions {
   Budget budget;
   int threads = 0;            ///< 0: as many as the machine offers
-  double pass_seconds = 0.5;  ///< how soon a render reacts to a signal
+  double pass_seconds = 0.5;  ///< target length of a pass: the latency of signals
   /// Relative error of the picture in `film` after that many samples per pixel; empty if it cannot
   /// be known.
   std::function<std::optional<RelativeError>(const Film& film, std::uint64_t samples)>
       estimate_error;
-  /// Likewise of the denoised picture; asked where the budget's target is that error.
+  /// Error of the denoised picture; called where the budget's target is that error.
   std::function<std::optional<double>(const Film& film, std::uint64_t samples)>
       estimate_denoised_error;
   const InterruptCount* interrupts = nullptr;  ///< may be null
   /// Where to go on; the film has the sums, the integrator its state.
   std::optional<JobState> resumed;
-  WorkShare share;         ///< of this job, all its ranks together
-  Ranks* ranks = nullptr;  ///< who render together; null: this process alone
+  WorkShare share;         ///< share of this job, all its ranks together
+  Ranks* ranks = nullptr;  ///< cooperating processes; null: this process alone
   std::vector<PassObserver*> observers;
 };
 
@@ -57,17 +57,17 @@ struct RenderSnapshot {
   /// `Prepare` and `Denoise`: what comes before the passes, or after them; then the other numbers
   /// but `seconds` mean nothing.
   RenderPhase phase = RenderPhase::Render;
-  double phase_done = 0.0;  ///< how much of such a step is done, 0…1
+  double phase_done = 0.0;  ///< finished part of such a step, 0…1
   bool renders() const { return phase == RenderPhase::Render; }
 };
 
 struct RenderResult {
   Counters counters;
   std::uint64_t samples_per_pixel = 0;  ///< in the film
-  double seconds = 0.0;                 ///< of all runs, if the render was resumed
-  double own_seconds = 0.0;             ///< of this run
-  double cpu_seconds = 0.0;             ///< of all threads, while rendering
-  double chain_seconds = 0.0;           ///< likewise, of items of Markov chains
+  double seconds = 0.0;                 ///< seconds of all runs, if the render was resumed
+  double own_seconds = 0.0;             ///< seconds of this run
+  double cpu_seconds = 0.0;             ///< CPU time of all threads, while rendering
+  double chain_seconds = 0.0;           ///< CPU time of items of Markov chains
   int threads = 0;
   std::uint64_t passes = 0;
   std::optional<RelativeError> relative_error;
@@ -94,7 +94,7 @@ class RenderJob {
   const JobState& state() const { return whole_state_; }
 
  private:
-  /// What all ranks do next.
+  /// Next step of all ranks.
   struct Decision {
     std::uint64_t samples = 0;  ///< per pixel of the next pass
     std::uint64_t first_sample = 0;
@@ -112,7 +112,7 @@ class RenderJob {
   bool run_round(PartialPass& pass);
   /// Items of this rank.
   WorkShare own_share() const;
-  /// What was rendered so far, as the integrator is to see it before a pass.
+  /// Film so far, for the integrator before a pass.
   Film& film_before(const Decision& decision);
   /// After a pass: lets all ranks know what the items of each have left behind.
   void share_news();
@@ -139,11 +139,12 @@ class RenderJob {
   int threads_;
   const Stopwatch clock_;
   const double cpu_before_;
-  double seconds_before_ = 0.0;      ///< of earlier runs
-  double cpu_seconds_before_ = 0.0;  ///< the same
-  JobState state_;                   ///< of this rank
-  JobState whole_state_;             ///< of all ranks, at the root; when last gathered
-  /// The same; empty without other ranks. If the integrator keeps state, all ranks have one.
+  double seconds_before_ = 0.0;      ///< seconds of earlier runs
+  double cpu_seconds_before_ = 0.0;  ///< CPU time of earlier runs
+  JobState state_;                   ///< state of this rank
+  JobState whole_state_;             ///< state of all ranks, at the root; when last gathered
+  /// Film of all ranks; empty without other ranks. If the integrator keeps state, all ranks have
+  /// one.
   std::optional<Film> whole_film_;
   bool has_news_ = false;        ///< since all ranks knew the same
   bool speed_is_known_ = false;  ///< `state_.seconds_per_sample` is of this run

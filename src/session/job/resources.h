@@ -8,7 +8,7 @@ namespace ajar {
 
 /// Processor time of this process so far, all threads, user and system, seconds.
 double cpu_seconds();
-/// Likewise of the calling thread alone.
+/// CPU time of the calling thread alone.
 double thread_cpu_seconds();
 /// Largest resident memory of this process so far, bytes.
 std::uint64_t peak_memory_bytes();

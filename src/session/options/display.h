@@ -3,7 +3,7 @@
 
 namespace ajar {
 
-/// What `--exposure` asks for.
+/// Value of `--exposure`.
 struct Exposure {
   bool automatic = false;  ///< for each picture the one that fits it (`fitting_exposure`)
   float stops = 0.F;       ///< else these

@@ -8,8 +8,8 @@
 #include "core/error.h"
 #include "post/exposure.h"
 
-/// How large and how small the numbers may be that a render is told, whoever tells them: the
-/// command line, a study, a program (include/ajar).
+/// Limits of the numbers of a render, from any source: the command line, a study, a program
+/// (include/ajar).
 namespace ajar {
 
 /// Numbers from `least` to `most`.
@@ -35,7 +35,8 @@ inline constexpr int kMaxResolution = 65536;
 namespace limits {
 inline constexpr Limits<int> kResolution{1, kMaxResolution};
 inline constexpr Limits<int> kCropEdge{0, kMaxResolution};  ///< pixels
-inline constexpr Limits<double> kScale{1e-5, 65536.0};      ///< of the scene's own resolution
+inline constexpr Limits<double> kScale{1e-5, 65536.0};      ///< factor of the scene's own
+                                                            ///< resolution
 /// Per pixel: their numbers have 32 bits.
 inline constexpr Limits<std::uint64_t> kSamples{1, std::uint64_t{1} << 31U};
 /// Thirty years are more than any clock here has to count to.
@@ -45,7 +46,7 @@ inline constexpr Limits<int> kDepth{1, 1000};  ///< edges of a path
 /// 0: as many as the machine offers. Each takes a stack, and a machine that has no more of them
 /// ends the program.
 inline constexpr Limits<int> kThreads{0, 4096};
-inline constexpr Limits<float> kStops{-kMostStops, kMostStops};  ///< of exposure
+inline constexpr Limits<float> kStops{-kMostStops, kMostStops};  ///< limits of exposure
 inline constexpr Limits<double> kPixelsPerDegree{1.0, 1000.0};
 }  // namespace limits
 

@@ -31,7 +31,7 @@ double parse_number(const std::string& option, std::string_view text, const std:
 Exposure parse_exposure(const std::string& option, std::string_view text);
 /// `0.05` or `5%` → 0.05, above 0 and at most 1.
 double parse_relative_error(const std::string& option, std::string_view text);
-/// The same; behind "denoised:" it is that of the denoised picture.
+/// Target error; with "denoised:" it is that of the denoised picture.
 struct TargetError {
   double value;
   bool is_denoised;

@@ -26,7 +26,7 @@ std::shared_ptr<const Denoiser> fitting_denoiser(const Picture& picture,
                                                  bool may_be_another, std::uint64_t available,
                                                  std::string& note);
 
-/// Whether a picture knows what a filter wants to know of the scene.
+/// True if a picture has the auxiliary buffers of denoisers.
 bool has_features(const Picture& picture);
 
 }  // namespace ajar

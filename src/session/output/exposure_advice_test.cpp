@@ -22,7 +22,7 @@ TEST(ExposureAdvice, SaysWhatWouldHelpAWhitePicture) {
   const Picture bright = row(0, 0.18F * 32.F);
   EXPECT_EQ(exposure_advice(bright, {}), "100 % of the picture is white: try --exposure -5");
   EXPECT_EQ(exposure_advice(bright, {ToneMap::Srgb, -5.F}), "") << "as advised";
-  // What is asked for is absolute, not added to what there is.
+  // The advised exposure is absolute, not relative to the current one.
   EXPECT_EQ(exposure_advice(row(0, 0.18F), {ToneMap::Srgb, 4.F}),
             "100 % of the picture is white: try --exposure 0");
 }

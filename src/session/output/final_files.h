@@ -17,7 +17,7 @@ struct FinalFile {
   std::function<void(const std::string& path)> write;
 };
 
-/// What became of one.
+/// Result of writing a file.
 struct WrittenFile {
   std::string what;
   std::string path;    ///< where it is now; empty if it is nowhere

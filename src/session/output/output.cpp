@@ -85,7 +85,7 @@ std::vector<ScaledLayer> scaled_layers(const std::vector<int>& chosen, const Dev
   return layers;
 }
 
-/// Whether each replicate has samples, and there are several.
+/// True if each replicate has samples, and there are several.
 bool has_replicates(const Film& film, std::uint64_t samples) {
   return film.replicates() > 1 && samples >= static_cast<std::uint64_t>(film.replicates());
 }
@@ -235,7 +235,7 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
   if (contains(aovs, "divided")) add_divided(picture, alpha, coverage);
   for (const auto& [name, plane] : scales.maps) picture.layers.push_back({name, 1, plane.values});
   picture.antialias_mask = scales.antialias_mask;
-  // Of the layers as they are shown, so that they add up to the picture to the bit.
+  // Sum of the displayed layers, equal to the picture to the bit.
   std::vector<float> sum;
   for (const Picture::Layer& layer : picture.layers) {
     if (layer.name != "direct" && layer.name != "indirect") continue;

@@ -15,15 +15,15 @@
 
 namespace ajar {
 
-/// What an integrator says of its film: all that is needed to show it without the integrator.
+/// Description of an integrator's film: all that is needed to show it without the integrator.
 struct Development {
-  // What turns sums into pixel values (`Integrator::develop_scale`).
+  // Scales from sums to pixel values (`Integrator::develop_scale`).
   std::vector<DevelopScale> whole;  ///< per layer, for the sum over replicates
   std::vector<std::vector<DevelopScale>>
       replicates;  ///< per layer and replicate; none if it has none
-  std::vector<std::pair<std::string, Plane>> maps;  ///< of `Findings`
+  std::vector<std::pair<std::string, Plane>> maps;  ///< as in `Findings`
   std::optional<Plane> antialias_mask;
-  bool misses_light = false;  ///< of `Findings`
+  bool misses_light = false;  ///< as in `Findings`
 };
 /// After `samples` samples per pixel.
 Development development_of(const Film& film, const Integrator& integrator, std::uint64_t samples);

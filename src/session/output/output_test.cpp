@@ -71,7 +71,7 @@ TEST_F(OutputTest, PartsOfALayerAreShownInItAndInThePicture) {
   EXPECT_NEAR(picture.layers[0].pixels.at(15), picture.layers[1].pixels.at(15) + 0.75F, 1e-5);
 }
 
-/// Of one pixel, in the samples of the picture `first`, `first + step`, …
+/// Mean of one pixel, in the samples of the picture `first`, `first + step`, …
 double mean_seen(const TestIntegrator& integrator, std::uint64_t pixel, std::uint64_t first,
                  std::uint64_t step, std::uint64_t samples) {
   double sum = 0.0;

@@ -16,7 +16,7 @@ class Stages {
  public:
   Stages(std::size_t count, const Denoiser::Progress& progress)
       : count_(static_cast<double>(count)), progress_(progress) {}
-  /// Of the step that begins.
+  /// Progress of the step that begins.
   Denoiser::Progress next() {
     return [this, before = begun_++](double done) {
       return !progress_ || progress_((static_cast<double>(before) + done) / count_);
@@ -68,7 +68,7 @@ PictureFilter::PictureFilter(std::shared_ptr<const Denoiser> denoiser, Look look
     : denoiser_(std::move(denoiser)), look_(std::move(look)) {}
 
 std::uint64_t PictureFilter::memory_bytes(const Denoiser& denoiser, std::uint64_t pixels) {
-  // Of two estimates: four replicates each as they are, and filtered; means, features and the
+  // Memory for two estimates: four replicates each, raw and filtered; means, features and the
   // mixture.
   constexpr std::uint64_t kPictures = 28;
   return denoiser.memory_bytes(pixels) + pixels * 3 * sizeof(float) * kPictures;

@@ -13,9 +13,10 @@ namespace ajar {
 
 /// Independent parts of a picture.
 struct PictureEstimates {
-  Replicates replicates;  ///< of the picture; less than two: nothing is known of its noise
-  Replicates others;      ///< of its other estimate (`LayerSpec::instead_of`); may be empty
-  Replicates boxes{};     ///< of `Picture::for_filters`; may be empty
+  Replicates replicates;  ///< replicates of the picture; less than two: its noise is unknown
+  Replicates others;      ///< replicates of its other estimate (`LayerSpec::instead_of`); may be
+                          ///< empty
+  Replicates boxes{};     ///< replicates of `Picture::for_filters`; may be empty
 };
 
 /// Takes the noise out of the pictures of one render. Several threads may use it.
@@ -27,28 +28,28 @@ class PictureFilter {
   /// `look` is called once, when its features are needed, and again if it was ended.
   PictureFilter(std::shared_ptr<const Denoiser> denoiser, Look look);
 
-  /// Of the filter, with its version.
+  /// Name of the filter, with its version.
   std::string name() const { return denoiser_->name(); }
   /// Memory that a picture of so many pixels takes, bytes; an estimate, of `add_best_layers`.
   std::uint64_t memory_bytes(std::uint64_t pixels) const {
     return memory_bytes(*denoiser_, pixels);
   }
   static std::uint64_t memory_bytes(const Denoiser& denoiser, std::uint64_t pixels);
-  /// Whether so many are enough for `add_best_layers` to be more than `add_layers`.
+  /// True if so many are enough for `add_best_layers` to differ from `add_layers`.
   static bool mixes(std::size_t replicates) { return replicates >= 4; }
   /// Finds the features of pictures of that size out now. False if `progress` ended it.
   bool know_features(Vec2i size, const Denoiser::Progress& progress);
-  /// Of the scene, as they were seen; empty if nobody has looked yet.
+  /// Auxiliary buffers of the scene; empty if not traced yet.
   Features features();
 
   /// Adds the layers "denoised", "denoising-albedo" and "denoising-normal" to a picture, such as
   /// one that is still being rendered: what the filter makes of it. False, and no layers, if
   /// `progress` ended it. Filtered is what the picture has `for_filters`.
   bool add_layers(Picture& picture, const Denoiser::Progress& progress = {});
-  /// The same of a picture that is finished, for three to six times the time: the unfiltered
-  /// picture and the filtered pictures of its estimates are mixed as their replicates tell
-  /// (`mix_estimates`), and "denoised-error" says how wrong that still is. With too few replicates
-  /// (`mixes`) as above.
+  /// For a finished picture, at three to six times the time: the unfiltered picture and the
+  /// filtered pictures of its estimates are mixed by the errors of their replicates
+  /// (`mix_estimates`), and "denoised-error" is the estimated error of the result. With too few
+  /// replicates (`mixes`) as above.
   bool add_best_layers(Picture& picture, const PictureEstimates& estimates,
                        const Denoiser::Progress& progress = {});
 
@@ -64,8 +65,8 @@ class PictureFilter {
 
 /// Error of "denoised", as far as it is known.
 inline constexpr const char* kDenoisedError = "denoised-error";
-/// That error as one number, defined as the estimated error of the unfiltered picture is
-/// (`RelativeError`): relative, root of the mean square. Empty without that layer.
+/// `kDenoisedError` as one number, defined as for the unfiltered picture (`RelativeError`):
+/// relative, root of the mean square. Empty without that layer.
 std::optional<double> denoised_error(const Picture& picture);
 
 /// The layers of features that the file of a picture has.

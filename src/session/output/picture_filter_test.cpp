@@ -98,7 +98,7 @@ TEST(PictureFilter, FiltersTheUnfilteredPictureAndBothEstimates) {
   EXPECT_EQ(denoised_error(picture), 0.0);
 }
 
-/// What is filtered is made of boxes; what it is mixed with, and held against, is the picture.
+/// Filtered pictures are made of boxes; the mixture also has the picture itself.
 TEST(PictureFilter, FiltersBoxesAndMixesThemWithThePicture) {
   const auto evener = std::make_shared<Evener>();
   PictureFilter filter(evener, nothing);

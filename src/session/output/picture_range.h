@@ -7,10 +7,10 @@
 
 namespace ajar {
 
-/// What is wrong with the numbers of a picture; empty if nothing is. A picture is
-/// made of single-precision floats: light that is multiplied with a film's scale may be beyond
-/// them, and light that is nearly nothing loses its digits there. `picture` is `film` developed
-/// with `film_scale`.
+/// Warning on the numbers of a picture; empty if there is none. A picture is made of
+/// single-precision floats: light that is multiplied with a film's scale may be beyond them, and
+/// light that is nearly nothing loses its digits there. `picture` is `film` developed with
+/// `film_scale`.
 std::optional<Warning> range_complaint(const Film& film, const Picture& picture, double film_scale);
 
 }  // namespace ajar

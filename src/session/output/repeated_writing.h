@@ -16,12 +16,12 @@ class RepeatedWriting {
   /// and `note` tell the user.
   RepeatedWriting(std::string what, double every, Say warn, Say note);
 
-  /// Whether it is time. Writing that takes long is done less often, so that most of the time is
-  /// left for rendering.
+  /// True if it is due. Slow writing is done less often, so that most of the time is left for
+  /// rendering.
   bool is_due() const { return clock_.seconds() >= due_; }
   /// Writes; what `write` raises is told. True if it raised nothing.
   bool attempt(const std::function<void()>& write);
-  /// How long the latest attempt took; 0 before the first.
+  /// Duration of the latest attempt; 0 before the first.
   double seconds() const { return seconds_; }
 
  private:

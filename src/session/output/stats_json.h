@@ -19,7 +19,7 @@ struct StepTimes {
   double load = 0.0;     ///< files → description
   double build = 0.0;    ///< description → scene, acceleration structures
   double prepare = 0.0;  ///< integrator, film
-  double denoise = 0.0;  ///< of the last picture; after rendering
+  double denoise = 0.0;  ///< time of denoising the last picture; after rendering
 };
 
 /// Everything that `--stats` says about a render.
@@ -54,15 +54,16 @@ struct RenderStatistics {
   std::optional<double> denoised_error;         ///< see `denoised_error`
   std::vector<ErrorAtScale> errors_by_scale{};  ///< estimated; empty: unknown
   std::string denoiser;                         ///< name and version; empty: nothing was filtered
-  Exposure exposure;  ///< of pictures for the eye: `stops` are those used, whoever chose them
+  Exposure exposure;  ///< exposure of displayed pictures: `stops` are those used, manual or
+                      ///< automatic
 };
 
 /// Statistics as JSON with the keys of the manual (docs/command-line.md), those of the method's own
 /// report among them. What is not known is null.
 nlohmann::ordered_json to_json(const RenderStatistics& statistics);
 
-/// The same as text for the metadata of images: flat, one entry per parameter and number, keys
-/// begin with "ajar:".
+/// Text for the metadata of images: flat, one entry per parameter and number, keys begin with
+/// "ajar:".
 std::map<std::string, std::string> to_metadata(const RenderStatistics& statistics);
 
 /// Writes a file in one step (`write_file_atomically`). Raises IoError.

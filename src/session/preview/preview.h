@@ -18,7 +18,7 @@ namespace ajar {
 
 struct PreviewOptions {
   ViewerAddress viewer;
-  std::string name;  ///< of the picture, in the viewer
+  std::string name;  ///< name of the picture in the viewer
   double film_scale = 1.0;
   std::vector<std::string> aovs;  ///< see `develop`
   double every = 1.0;             ///< seconds, at least, between pictures
@@ -41,8 +41,7 @@ class Preview final : public PassObserver {
   Preview(const Preview&) = delete;
   Preview& operator=(const Preview&) = delete;
 
-  /// What pictures go through from now on, but those of `show`; null: they are as they were
-  /// rendered.
+  /// Filter of pictures from now on, but those of `show`; null: unfiltered.
   void filter_by(std::shared_ptr<PictureFilter> filter);
   /// A picture of its own, before there is one of the film: as soon as a viewer is there, unless
   /// another comes first.
@@ -64,7 +63,7 @@ class Preview final : public PassObserver {
   const Integrator& integrator_;
   Addresses addresses_;
   Stopwatch clock_;
-  double due_ = 0.0;                ///< of the next picture; by the render's thread only
+  double due_ = 0.0;                ///< time of the next picture; by the render's thread only
   std::atomic<bool> ready_{false};  ///< a viewer is there and has taken all there was
   std::atomic<bool> stopping_{false};
   std::atomic<double> seconds_to_develop_{0.0};
@@ -80,7 +79,7 @@ class Preview final : public PassObserver {
   std::uint64_t samples_ = 0;
 
   TcpStream stream_;                   ///< the thread's, as all below
-  std::vector<std::string> channels_;  ///< of the picture that the viewer has
+  std::vector<std::string> channels_;  ///< channels of the viewer's picture
   std::vector<std::size_t> regions_;   ///< hashes of it
   std::thread thread_;
 };

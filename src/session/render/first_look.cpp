@@ -44,7 +44,7 @@ void show_first_look(RenderState& state, std::vector<float> rgb) {
   try {
     show(state, std::move(rgb));
   } catch (const std::exception& error) {
-    // Of a listener, or for want of memory.
+    // Errors of a listener, or for want of memory.
     state.events.trouble(std::string("no picture of the preparation: ") + error.what());
   }
 }

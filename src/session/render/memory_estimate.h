@@ -12,10 +12,10 @@ namespace ajar {
 /// Memory that a render will need beside what the program has already, bytes. Known before it is
 /// asked for: a machine that promises more than it has ends programs without a word.
 struct MemoryEstimate {
-  std::uint64_t scene = 0;     ///< of building it; 0 once it is built
+  std::uint64_t scene = 0;     ///< memory of building it; 0 once it is built
   std::uint64_t film = 0;      ///< layers × replicates
   std::uint64_t pictures = 0;  ///< while they are written
-  std::uint64_t method = 0;    ///< what the integrator keeps (`Integrator::memory_bytes`)
+  std::uint64_t method = 0;    ///< memory of the integrator (`Integrator::memory_bytes`)
   std::uint64_t denoiser = 0;  ///< while it filters a picture
   std::uint64_t total() const { return scene + film + pictures + method + denoiser; }
 };
@@ -32,8 +32,8 @@ std::uint64_t scene_bytes(const desc::SceneDesc& scene);
 /// "3.2 GB (scene 0.1 GB, film 3.0 GB, …)", parts that are nothing left out.
 std::string memory_text(const MemoryEstimate& estimate);
 
-/// What is wrong if that is more than there is, in one sentence; empty if it is not, or if
-/// `available` is 0, unknown.
+/// Error if that is more than there is, in one sentence; empty if it is not, or if `available` is
+/// 0, unknown.
 std::string memory_complaint(const MemoryEstimate& estimate, std::uint64_t available);
 
 }  // namespace ajar

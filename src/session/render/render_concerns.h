@@ -6,8 +6,7 @@
 
 namespace ajar {
 
-/// What a render has found out about its picture: light that was dropped, samples that some pixels
-/// lack.
+/// Warnings of a render on its picture: light that was dropped, samples that some pixels lack.
 std::vector<Warning> concerns_about(const RenderResult& result);
 
 }  // namespace ajar

@@ -10,9 +10,9 @@ namespace ajar {
 
 struct RenderOutcome;
 
-/// What a render tells while it runs, on the thread that runs it; notes of a viewer come from
-/// another thread. What a listener raises ends the
-/// render, as an error of its own would; but what `picture` raises is told as trouble.
+/// Events of a render, on the thread that runs it; notes of a viewer come from another thread. An
+/// exception of a listener ends the render, as an error of its own would; but one of `picture` is
+/// reported as trouble.
 class RenderEvents {
  public:
   virtual ~RenderEvents() = default;
@@ -29,11 +29,11 @@ class RenderEvents {
 
   /// Once the scene is built: what is unusual in it, all together.
   virtual void scene_warnings(const Warnings& /*warnings*/) {}
-  /// What turned out later.
+  /// A warning after the start.
   virtual void warning(const Warning& /*warning*/) {}
   /// A file that cannot be written now, and will be tried again: no warning about the picture.
   virtual void trouble(const std::string& /*text*/) {}
-  /// What the user may like to know, one sentence.
+  /// A remark for the user, one sentence.
   virtual void note(const std::string& /*text*/) {}
 
   /// The end, unless an error is raised.

@@ -2,7 +2,7 @@
 #include "scene/desc/scene_desc.h"
 #include "session/render/render_order.h"
 
-/// Whether the files of a render can be written: told before it takes any time.
+/// Checks whether the files of a render can be written, before it takes any time.
 namespace ajar {
 
 /// Before anything is loaded. Raises UsageError for names that cannot be, such as two of one file,

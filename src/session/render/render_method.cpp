@@ -79,7 +79,7 @@ void tell_of_method(RenderState& state) {
   }
   const Findings found = state.integrator->findings();
   for (const Warning& concern : found.concerns) state.warn(concern);
-  // How it would be rendered is of no use to who has stopped it.
+  // Notes on the method are of no use after an early stop.
   if (state.has_begun) {
     for (const std::string& note : found.notes) state.events.note(note);
   }
@@ -91,7 +91,7 @@ void tell_of_method(RenderState& state) {
   }
 }
 
-/// Whether to go on, which a user may not want who has stopped the preparation.
+/// True if the render continues, which a user who stopped the preparation may not want.
 bool goes_on(RenderState& state) {
   if (state.has_begun) return true;
   if (state.order.resumed) {
@@ -123,7 +123,7 @@ void take_state(RenderState& state) {
   }
 }
 
-/// What filters the pictures, if anything does.
+/// Makes the filter of pictures, if there is one.
 void make_filter(RenderState& state) {
   std::string note;
   std::shared_ptr<const Denoiser> denoiser =

@@ -158,7 +158,7 @@ RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& wr
   outcome.display = display.of(picture);
   outcome.statistics.exposure = {display.exposure.automatic, outcome.display.exposure};
   outcome.picture = std::make_shared<const Picture>(std::move(picture));
-  // Who asks from here on is answered by these.
+  // Later queries get these.
   state.watch.know(outcome.statistics);
   state.watch.know(outcome.picture);
   state.watch.passes.close(job.film(), job.state());

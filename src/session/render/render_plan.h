@@ -9,10 +9,10 @@
 
 namespace ajar {
 
-/// What an order makes of a scene: all that is decided before the scene is built.
+/// Resolved settings of an order for a scene: all decisions before the scene is built.
 struct RenderPlan {
   RenderSetup setup;
-  Parameters parameters;  ///< of the integrator, all
+  Parameters parameters;  ///< all parameters of the integrator
   RenderRecord record;    ///< without the scene's hash
   Filter filter;
 };

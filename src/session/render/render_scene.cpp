@@ -45,7 +45,7 @@ desc::SceneDesc load_description(RenderState& state) {
 
 void build_scene(RenderState& state, desc::SceneDesc description) {
   RenderPlan& plan = *state.plan;
-  // What the method makes of it is known later; it makes these at least.
+  // The method's layers are known later; these are the least.
   MemoryEstimate least =
       memory_of(plan, state.order, {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"}});
   std::shared_ptr<const BuiltScene> built;

@@ -4,7 +4,7 @@
 /// The first steps of a render: from its order to a scene in memory.
 namespace ajar {
 
-/// What is to be rendered. Raises what `load_scene` does.
+/// Loads the scene to be rendered. Raises as `load_scene` does.
 desc::SceneDesc load_description(RenderState& state);
 
 /// Builds the scene for what was planned, unless it is built already, and tells what is unusual in

@@ -16,7 +16,7 @@ namespace ajar {
 namespace {
 
 constexpr const char* kDefaultIntegrator = "selective";
-/// What files of other renderers ask for if nobody chose: not a wish.
+/// Default in files of other renderers: no explicit choice.
 constexpr const char* kPlain = "pt";
 
 bool is_integrator(const std::string& name) {
@@ -58,7 +58,7 @@ void choose_integrator(const RenderRequest& request, const desc::RenderHints& hi
   }
 }
 
-/// What other renderers call the parameters of chains.
+/// Other renderers' names of the parameters of chains.
 std::string our_name(const std::string& name) {
   if (name == "bootstrapsamples") return "bootstrap";
   if (name == "largestepprobability") return "large-step";

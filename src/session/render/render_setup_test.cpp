@@ -103,20 +103,11 @@ TEST(RenderSetup, RecordsHaveTheParametersThatMatter) {
     const Parameters parameters = setup.integrator->read(setup.parameters);
     return record_of(setup, parameters, "builtin:cornell", {}, {}).parameters;
   };
-  const auto regions = recorded("selective");
-  const auto everywhere = recorded("mmlt+");
-  for (const char* of_regions : {"map", "pilot", "threshold", "edges", "samples"}) {
-    EXPECT_TRUE(regions.contains(of_regions));
-    EXPECT_FALSE(everywhere.contains(of_regions));
+  const auto masked = recorded("masked");
+  for (const char* of_mmlt : {"chain", "omc", "sigma", "chains"}) {
+    EXPECT_TRUE(masked.contains(of_mmlt)) << of_mmlt;
   }
-  for (const char* of_no_regions : {"direct", "omc-samples"}) {
-    EXPECT_FALSE(regions.contains(of_no_regions));
-    EXPECT_TRUE(everywhere.contains(of_no_regions));
-  }
-  for (const char* of_both : {"division", "chain", "preset", "split", "sigma"}) {
-    EXPECT_TRUE(regions.contains(of_both));
-    EXPECT_TRUE(everywhere.contains(of_both));
-  }
+  EXPECT_FALSE(masked.contains("chain-length")) << "of erpt";
 }
 
 TEST(RenderSetup, ScaleMultipliesTheResolutionOfTheScene) {

@@ -17,8 +17,8 @@
 
 namespace ajar {
 
-/// What a render is made of, filled in step by step (`render_scene.h`, `render_method.h`,
-/// `render_passes.h`). It belongs to the thread that renders; others look at `watch`.
+/// State of a render, filled in step by step (`render_scene.h`, `render_method.h`,
+/// `render_passes.h`). Owned by the thread that renders; others use `watch`.
 struct RenderState {
   RenderOrder order;
   RenderEvents& events;
@@ -38,12 +38,12 @@ struct RenderState {
   bool has_begun = true;
   std::uint64_t preparation_rounds = 0;
   std::optional<Shortage> unprepared{};  ///< why the preparation was cut short, if it was
-  double other_seconds = 0.0;            ///< of building and preparing, all runs together
-  std::uint64_t passes_before = 0;       ///< of earlier runs
+  double other_seconds = 0.0;            ///< seconds of building and preparing, all runs together
+  std::uint64_t passes_before = 0;       ///< passes of earlier runs
 
   /// Tells it, and keeps it for the statistics.
   void warn(const Warning& warning);
-  /// What is known of a render that has come to `result`.
+  /// Statistics of a render with the result `result`.
   RenderStatistics statistics_with(const RenderResult& result) const;
   /// The picture of `film` as it was rendered, with `statistics` as its metadata.
   Picture develop_with(const Film& film, const RenderStatistics& statistics) const;

@@ -26,7 +26,7 @@ class RenderWatch {
   RenderSnapshot snapshot() const;
   /// The latest that is known, without what passes have found since.
   RenderStatistics statistics() const;
-  /// Of a render that is over; before its passes, what the preparation has seen, if anything; else
+  /// Picture of a finished render; before its passes, the preview of the preparation, if any; else
   /// null.
   std::shared_ptr<const Picture> last_picture() const;
 

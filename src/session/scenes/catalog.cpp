@@ -107,10 +107,8 @@ struct Parametrised {
 std::vector<Parametrised> parametrised(const std::string& kind) {
   std::vector<Parametrised> list;
   if (kind == "integrators") {
-    for (const auto* infos : {&integrators(), &integrator_presets()}) {
-      for (const IntegratorInfo& info : *infos) {
-        list.push_back({info.name, info.summary, info.source, info.parameters});
-      }
+    for (const IntegratorInfo& info : integrators()) {
+      list.push_back({info.name, info.summary, info.source, info.parameters});
     }
   } else if (const auto found = model_kinds().find(kind); found != model_kinds().end()) {
     for (const desc::Model* model : desc::models(found->second)) {
@@ -171,7 +169,7 @@ std::string condition_text(const ParameterSpec& spec) {
   return fmt::format("  with {}={}", spec.depends_on, fmt::join(spec.matters_for, "|"));
 }
 
-/// What follows the name of a parameter: "=0.5 degrees  [number, between 0 and 90]".
+/// Description behind the name of a parameter: "=0.5 degrees  [number, between 0 and 90]".
 std::string value_text(const ParameterSpec& spec) {
   const bool has_default = !spec.default_value.empty() || spec.type == ParameterType::Text;
   const std::string value = has_default ? "=" + spec.default_value : "";

@@ -19,9 +19,9 @@ std::vector<CatalogEntry> scene_catalog();
 /// Raises UsageError for a name that is no AOV. "all" stands for every one.
 std::vector<std::string> checked_aovs(const std::vector<std::string>& names);
 
-/// What `ajar list` can list: integrators, materials, textures …
+/// Kinds that `ajar list` can list: integrators, materials, textures …
 const std::vector<std::string>& catalog_kinds();
-/// Of all entries that have parameters.
+/// Names of all entries that have parameters.
 std::vector<std::string> names_with_parameters();
 /// The kinds with an entry of that name that has parameters.
 std::vector<std::string> kinds_with(const std::string& name);

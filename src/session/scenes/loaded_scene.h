@@ -17,7 +17,7 @@ struct BuiltScene {
   BuiltScene(desc::SceneDesc&& description, Vec2i resolution, std::string filter);
 
   std::string filter;
-  Warnings warnings;  ///< what is unusual in it
+  Warnings warnings;  ///< warnings on it
   Scene scene;
 };
 
@@ -29,8 +29,8 @@ class LoadedScene {
   explicit LoadedScene(desc::SceneDesc description) : description_(std::move(description)) {}
 
   const desc::SceneDesc& description() const { return description_; }
-  /// What is there already; null if it must be built. What was built for another picture is let go,
-  /// lest there be two.
+  /// The built scene; null if it must be built. A scene that was built for another picture is
+  /// released, so that there are never two.
   std::shared_ptr<const BuiltScene> built(Vec2i resolution, const std::string& filter);
   /// Nobody waits while a scene is built: two renders that begin at once both build it.
   void keep(std::shared_ptr<const BuiltScene> built);

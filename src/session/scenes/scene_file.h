@@ -15,11 +15,11 @@ namespace ajar {
 desc::SceneDesc load_scene(const std::string& scene, Warnings& warnings,
                            const SceneDefinitions& definitions = {});
 
-/// Which scene it is, in 16 hexadecimal digits, as checkpoints and studies name it. Raises as
-/// `load_scene` does; warnings are left to who renders it.
+/// Hash of a scene, in 16 hexadecimal digits, as checkpoints and studies name it. Raises as
+/// `load_scene` does; warnings are left to the render.
 std::string hash_of_scene(const std::string& scene);
 
-/// The same scene, named so that it is found from any folder.
+/// The scene's name, valid from any folder.
 std::string absolute_scene(const std::string& scene);
 
 /// Name for pictures of a scene, without folder and extension: `room` for `/scenes/room.EXTENSION`,

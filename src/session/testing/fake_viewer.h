@@ -73,7 +73,7 @@ class FakeViewer {
     const auto found = pictures_.find(name);
     return found == pictures_.end() ? Picture() : found->second;
   }
-  /// What was wrong with the packets; empty if nothing.
+  /// Fault of the packets; empty if there is none.
   std::string fault() const {
     const std::lock_guard lock(mutex_);
     return fault_;
@@ -165,7 +165,7 @@ class FakeViewer {
   void take_packet(const std::string& bytes) {
     Reader reader(bytes);
     const auto type = reader.number<std::uint8_t>();
-    reader.number<std::uint8_t>();  // whether it wants to be looked at
+    reader.number<std::uint8_t>();  // flag for showing it
     Picture& picture = pictures_[reader.text()];
     if (type == 4) {
       picture.width = reader.number<std::int32_t>();

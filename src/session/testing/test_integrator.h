@@ -58,7 +58,7 @@ class TestIntegrator final : public Integrator {
     return scale;
   }
 
-  /// That a pixel has for each sample of the picture, of direct light alone.
+  /// Samples of a pixel for each sample of the picture, of direct light alone.
   std::uint64_t camera_samples(std::uint64_t item) const {
     return uneven ? 1 + (first_number + item) % 3 : 1;
   }
@@ -81,7 +81,7 @@ class TestIntegrator final : public Integrator {
   bool has_part = false;
   /// Gives pixels different numbers of camera samples, and adds a layer of what they saw.
   bool uneven = false;
-  bool has_chains = false;  ///< whether all items are of chains
+  bool has_chains = false;  ///< all items are of chains
 
  private:
   Vec2i size_;

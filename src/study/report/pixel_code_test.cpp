@@ -67,7 +67,7 @@ TEST(PixelCode, RoundsToWithinHalfAStep) {
   }
 }
 
-TEST(PixelCode, KeepsWhatIsNoNumberApartFromWhatIsTooLarge) {
+TEST(PixelCode, DistinguishesNanFromOverflow) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const std::vector<float> values{1e30F, -1e30F, kInfinity, -kInfinity, std::nanf(""), -0.F};
   const auto bits = unpacked(values, 1);

@@ -10,7 +10,7 @@ class ReplacedFolder {
   explicit ReplacedFolder(const std::filesystem::path& target);
   ReplacedFolder(const ReplacedFolder&) = delete;
   ReplacedFolder& operator=(const ReplacedFolder&) = delete;
-  /// Removes the temporary folder and, after `commit`, what was at the target before.
+  /// Removes the temporary folder and, after `commit`, the earlier target.
   ~ReplacedFolder();
 
   /// Where to write until `commit`.

@@ -25,7 +25,7 @@ struct ReportImage {
   std::map<std::string, double> metrics;                      ///< by name; any value, also NaN
 };
 
-/// What the page should say of a metric. A metric without one is shown too: less is better then.
+/// Description of a metric in the page. Others are shown too: less is better then.
 struct ReportMetric {
   std::string name;
   std::string description;  ///< a sentence or a formula, may be empty
@@ -40,9 +40,9 @@ struct ReportCurve {
     double low = 0;  ///< error band; equal to `mean` where there is none
     double high = 0;
   };
-  std::string name;              ///< of the method; a name keeps its colour on all charts
+  std::string name;              ///< name of the method; it keeps its colour on all charts
   std::string metric;            ///< curves of the same metric and `over` share a chart
-  std::string over = "seconds";  ///< what x is: "seconds", or the name of a parameter
+  std::string over = "seconds";  ///< x axis: "seconds", or the name of a parameter
   std::vector<Point> points;
 };
 
@@ -52,8 +52,8 @@ struct ReportTable {
   std::vector<std::vector<std::string>> rows;  ///< each as long as the header
 };
 
-/// All that a report shows. Texts are UTF-8 and are shown literally, whatever they contain; bytes
-/// that are no UTF-8 show as U+FFFD.
+/// Content of a report. Texts are UTF-8 and are shown literally, whatever they contain; bytes that
+/// are no UTF-8 show as U+FFFD.
 struct Report {
   std::string title;
   std::vector<ReportImage> images;

@@ -49,7 +49,7 @@ void check(const Report& report) {
   }
 }
 
-/// Somebody's files must not vanish: only a report, and nothing beside it, may be replaced.
+/// A user's files must not vanish: only a report, and nothing beside it, may be replaced.
 void check_replaceable(const fs::path& folder) {
   constexpr std::array<std::string_view, 3> kOurs{"index.html", "page", "data"};
   std::error_code error;

@@ -1,0 +1,25 @@
+#pragma once
+#include "core/vector.h"
+#include "transport/path_sampler.h"
+
+namespace ajar {
+
+/// What Markov chains make of each path, where others make the rest.
+class ChainWeight {
+ public:
+  ChainWeight() = default;
+  virtual ~ChainWeight() = default;
+  /// What multiplies a contribution that lands on `raster` in the target of the chains.
+  virtual float share(const Contribution& contribution, const Vec2& raster) const = 0;
+  /// Factor for a technique's contribution, with its MIS weight and without its roulette weight:
+  /// its luminance.
+  virtual float share(Technique technique, float light, const Vec2& raster) const = 0;
+  /// Factor of the indirect light that they deposit there.
+  virtual float kept(const Vec2& raster) const = 0;
+
+ protected:
+  ChainWeight(const ChainWeight&) = default;
+  ChainWeight& operator=(const ChainWeight&) = default;
+};
+
+}  // namespace ajar

@@ -1,0 +1,61 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/parameters.h"
+#include "integrator/integrator.h"
+#include "integrator/metropolis/path_group.h"
+#include "integrator/montecarlo/path_family.h"
+#include "integrator/regions/user_regions.h"
+#include "mcmc/primary/primary_kernel.h"
+
+namespace ajar {
+
+/// Settings of a render by `selective`: its parameters, read and checked. Immutable.
+struct SelectiveConfig {
+  /// Whose error is to be least.
+  enum class Objective {
+    Filtered,  ///< of the filtered picture
+    Raw        ///< of the picture as rendered
+  };
+  /// Use of the samples from which the division is decided.
+  enum class PilotSamples {
+    CrossFit,  ///< kept; each half of the replicates has the division of the other half's samples
+    Discard
+  };
+
+  static std::vector<ParameterSpec> parameters();
+  /// Raises UsageError, SceneError (rules) or IoError (files).
+  SelectiveConfig(const Scene& the_scene, const RenderSettings& render_settings,
+                  const Parameters& parameters);
+
+  std::uint64_t pixels() const;  ///< of the crop
+  /// Settings of ordinary Monte Carlo in the render: without the layers that are made of chains.
+  RenderSettings omc_settings() const;
+  /// Whether ordinary Monte Carlo and chains share light at all: paths of more than two edges.
+  bool has_long_paths() const;
+
+  const Scene& scene;
+  RenderSettings settings;
+  ChainKind kind;  ///< OnePath, ExplicitPath or ByPath
+  Objective objective;
+  PilotSamples pilot;
+  std::uint64_t pilot_samples;  ///< per pixel, at least
+  bool adaptive_samples;        ///< sample_rates.h
+  bool efficient_roulette;      ///< ray_price.h
+  bool antialias;               ///< along edges where the division has a step
+  UserRegions regions;
+  PathFamilyDefaults omc;   ///< of ordinary Monte Carlo and chains, unless a pilot chooses
+  bool chooses_techniques;  ///< whether a pilot does
+  /// T that regions choose from, relative to the brightness, ascending.
+  std::vector<double> thresholds;
+  double fireflies_threshold;  ///< T of chains that make fireflies only, relative to the brightness
+  bool relative_importance;    ///< importance follows the pilot's brightness
+  ChainView view;              ///< with the importance, unless that is relative
+  std::shared_ptr<const Mutation> mutation;  ///< of primary numbers
+  PrimarySettings moves;
+  std::vector<double> path_mutations;  ///< weights, of chains of explicit paths
+};
+
+}  // namespace ajar

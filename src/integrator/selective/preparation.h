@@ -1,0 +1,106 @@
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "integrator/division.h"
+#include "integrator/metropolis/path_group.h"
+#include "integrator/montecarlo/ray_price.h"
+#include "integrator/outlier_paths.h"
+#include "integrator/regions/surface_pilot.h"
+#include "integrator/selective/config.h"
+#include "integrator/selective/heuristics.h"
+
+namespace ajar {
+
+/// Paths of ordinary Monte Carlo and of chains: the same techniques, each as often, since that is
+/// part of what a path brings.
+struct ChosenTechniques {
+  PathFamilyDefaults omc;
+  std::vector<PathGroup> groups;  ///< of chains; empty if there are no long paths
+  /// Paths of one depth as ordinary Monte Carlo finds them, where groups hold several depths.
+  std::vector<PathGroup> depth_groups;
+};
+ChosenTechniques choose_techniques(const SelectiveConfig& config, const PathFamilyDefaults& omc);
+
+/// Configuration of a render, and what the stages of its preparation have found. `selective.cpp`
+/// alone writes it, one member after the other; stages read those before theirs.
+struct SelectivePreparation {
+  explicit SelectivePreparation(SelectiveConfig the_config);
+  SelectivePreparation(const SelectivePreparation&) = delete;
+  SelectivePreparation& operator=(const SelectivePreparation&) = delete;
+
+  const SelectiveConfig config;
+
+  // ---- BrightnessPilot
+  double brightness = 0.0;  ///< mean luminance · importance of the pixels; 0: no light was found
+  ChainView view;           ///< with the importance of places on the film; until then, that given
+  std::optional<PictureScale> scale;  ///< of the picture; measured anew unless it is known
+
+  // ---- TechniquePilot; until then, of the configuration
+  ChosenTechniques techniques;
+
+  // ---- RoulettePilot
+  std::optional<RayPrice> ray_price;
+
+  // ---- SurfacePilot
+  Surfaces surfaces;
+
+  // ---- DivisionPilot
+  std::optional<Divisions> divisions;  ///< until then, at the lowest threshold everywhere
+  double mutations = 1.0;         ///< per pixel and sample, at first; 0: ordinary Monte Carlo alone
+  bool fireflies_only = false;    ///< nothing is so hard that chains would pay
+  std::uint64_t pilot_kept = 0;   ///< camera samples per pixel that stay in the picture
+  std::uint64_t pilot_tried = 0;  ///< camera samples that chains might start from
+
+  /// Reason why the preparation was cut short; ordinary Monte Carlo alone renders then.
+  std::optional<Shortage> shortage;
+
+  const Scene& scene() const { return config.scene; }
+  std::uint64_t pixels() const { return config.pixels(); }
+  const std::vector<PathGroup>& groups() const { return techniques.groups; }
+  /// T of the pixel where it is lowest, in the units of `PixelDivision`.
+  double lowest_threshold() const { return config.thresholds.front() * brightness; }
+  /// The division of a replicate; null if there is none.
+  const ChainWeight* part_of(int replicate) const {
+    return divisions ? &divisions->of(replicate) : nullptr;
+  }
+  /// The group of paths of this depth, technique by technique.
+  const PathGroup& group_of(int depth) const;
+  /// The group whose chains make a path.
+  const PathGroup& group_of(const OutlierPath& found) const;
+  ChainProblem problem(const PathGroup& group, int replicate) const {
+    return {config.scene, group, view, part_of(replicate)};
+  }
+  /// Moves of primary numbers: where chains make nearly all light, steps on the raster pay more.
+  PrimarySettings moves_of(int replicate) const;
+  std::size_t chains_per_replicate() const;
+
+  /// Depths that ordinary Monte Carlo renders.
+  std::pair<int, int> omc_depths() const {
+    return {config.settings.min_depth, config.settings.max_depth};
+  }
+  /// Parameters of ordinary Monte Carlo.
+  static Parameters omc_parameters(const PathFamilyDefaults& omc) {
+    return {path_family_parameters(omc), {}};
+  }
+  /// Ordinary Monte Carlo with techniques `omc`, as `make_path_integrator` has it.
+  std::unique_ptr<Integrator> make_omc(const PathFamilyDefaults& omc, RenderSettings settings,
+                                       PathIntegratorContext context = {}) const;
+};
+
+/// Camera samples that one with so many light subpaths costs, relative to one with a single one.
+inline double effort_with(double light_paths_per_pixel) {
+  constexpr double kOfLight = SelectiveHeuristics::kEffortOfLight;
+  return (1.0 - kOfLight) + kOfLight * light_paths_per_pixel;
+}
+
+/// Bounds on mutations per pixel and sample: neither estimator starves.
+inline double clamp_mutations(double mutations) {
+  return std::clamp(mutations, SelectiveHeuristics::kFewestMutations,
+                    SelectiveHeuristics::kMostMutations);
+}
+
+}  // namespace ajar
