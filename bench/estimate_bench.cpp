@@ -16,7 +16,7 @@
 
 /// Accuracy of estimated errors: renders scenes by all integrators and writes a line of CSV for
 /// each render with both errors. Renders already in the file are skipped, so that an interrupted
-/// study is resumed. `bench/estimate_table.py` makes a table of the lines.
+/// study is resumed. `bench/results.py` makes tables of the lines.
 namespace ajar::bench {
 namespace {
 

@@ -26,7 +26,7 @@
 
 /// The finished picture: errors raw, by scale and after each filter, of equal CPU time. Writes a
 /// line of CSV for each render and filter, and does not render again what the file has.
-/// `bench/finished_table.py` makes tables of the lines.
+/// `bench/results.py` makes tables of the lines.
 namespace ajar::bench {
 namespace {
 

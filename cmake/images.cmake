@@ -3,7 +3,6 @@ find_package(OpenEXR 3 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
 find_package(TIFF REQUIRED)
-set(AJAR_IMAGE_PACKAGES OpenEXR PNG JPEG TIFF)
 # Debian 12 has no CMake package of these.
 find_library(WEBP_LIBRARY webp REQUIRED)
 find_path(WEBP_INCLUDE_DIR webp/decode.h REQUIRED)

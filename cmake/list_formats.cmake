@@ -1,7 +1,7 @@
 # Lists the scene formats, src/import/FOLDER/format.cpp each, for `formats()` of src/import/format.h. Generated, because a linker leaves
 # out what a library registers by itself, and a list by hand would name formats outside of their folders.
 function(ajar_list_formats target)
-  set(root ${CMAKE_SOURCE_DIR}/src/import)
+  set(root ${PROJECT_SOURCE_DIR}/src/import)
   file(GLOB files CONFIGURE_DEPENDS RELATIVE ${root} ${root}/*/format.cpp)
   list(SORT files)
   set(declarations "")
@@ -25,7 +25,7 @@ ${entries}  };
 
 }  // namespace ajar
 ")
-  set(table_file ${CMAKE_BINARY_DIR}/generated/formats.cpp)
+  set(table_file ${PROJECT_BINARY_DIR}/generated/formats.cpp)
   file(CONFIGURE OUTPUT ${table_file} CONTENT "${table}" @ONLY)
   target_sources(${target} PRIVATE ${table_file})
 endfunction()

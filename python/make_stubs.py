@@ -1,6 +1,6 @@
 """Writes the type stubs of materials, textures, lights, emissions and shapes from the library's own list:
 
-    AJAR_LIBRARY=build/release/shared/lib/libajar.so PYTHONPATH=python python3 python/make_stubs.py
+    AJAR_LIBRARY=build/release/libajar.so PYTHONPATH=python python3 python/make_stubs.py
 
 With --check it only says whether they are up to date."""
 

@@ -144,5 +144,6 @@ def version():
 
 
 def program():
-    """The `ajar` that belongs to the library."""
-    return _path().parent.parent / "bin" / "ajar"
+    """The `ajar` that belongs to the library: beside it in a build, in bin/ where both are installed."""
+    beside = _path().parent / "ajar"
+    return beside if beside.is_file() else _path().parent.parent / "bin" / "ajar"

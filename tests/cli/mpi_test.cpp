@@ -34,10 +34,12 @@ class MpiCli : public Cli {
 };
 
 TEST_F(MpiCli, ProgramDoesNotLinkMpi) {
-  const std::string program = read_text(AJAR_PROGRAM);
-  ASSERT_GT(program.size(), 1000U);
-  EXPECT_FALSE(contains(program, "libmpi"));
-  EXPECT_FALSE(contains(program, "MPI_Init"));
+  for (const char* file : {AJAR_PROGRAM, AJAR_LIBRARY}) {
+    const std::string bytes = read_text(file);
+    ASSERT_GT(bytes.size(), 1000U) << file;
+    EXPECT_FALSE(contains(bytes, "libmpi")) << file;
+    EXPECT_FALSE(contains(bytes, "MPI_Init")) << file;
+  }
 }
 
 TEST_F(MpiCli, WithoutItsMpiModuleTheProgramRefusesToBeARank) {

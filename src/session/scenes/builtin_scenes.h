@@ -15,7 +15,7 @@ struct EmbeddedFile {
   std::string_view bytes;
 };
 
-/// All files embedded in the program (see cmake/embed_scenes.cmake), sorted by scene, then path.
+/// All files embedded in the program (see cmake/embed.cmake), sorted by scene, then path.
 std::span<const EmbeddedFile> embedded_files();
 
 /// Names of the built-in scenes, sorted.

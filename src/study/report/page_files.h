@@ -4,7 +4,7 @@
 
 namespace ajar {
 
-/// A file of `src/study/report/page/`, embedded in the program by `cmake/embed_page.cmake`.
+/// A file of `src/study/report/page/`, embedded in the program by `cmake/embed.cmake`.
 struct PageFile {
   std::string_view name;
   std::string_view content;

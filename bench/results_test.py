@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Checks the intervals of finished_table.py: `finished_table_test.py`."""
+"""Checks the tables of docs/results and what makes them: `results_test.py`."""
 import math
 import random
 import unittest
 
-from finished_table import interval_of, ratio_of
+import results
+from results import interval_of, ratio_of
 
 
 class Ratios(unittest.TestCase):
@@ -34,6 +35,19 @@ class Ratios(unittest.TestCase):
             _, low, high = interval_of(ours, others)
             covered += low <= 1.0 <= high
         self.assertAlmostEqual(covered / tries, 0.95, delta=0.0125)
+
+
+class Tables(unittest.TestCase):
+    def test_of_the_pages_are_those_of_their_files(self):
+        self.assertEqual(results.main(["--check"]), 0)
+
+    def test_count_an_estimate_that_no_reference_can_check_for_neither_side(self):
+        def row(true, reference, fireflies="0"):
+            return {"scene": "a", "estimated": "1", "true_error": true, "reference_error": reference, "fireflies": fireflies,
+                    "misses_light": "0"}
+        rows = [row("1", "0.1"), row("2", "0.1"), row("1", "0.6"), row("2", "0.1", "1")]
+        line = results.estimates_table(rows, "scene").splitlines()[-1]
+        self.assertEqual(line, "| a | 4 | 25 % | 0.75 | 0.50–1.00 | 50 % | 67 % |")
 
 
 if __name__ == "__main__":
