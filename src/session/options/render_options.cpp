@@ -142,12 +142,6 @@ std::vector<std::string> names_of(const Entries& entries) {
   return names;
 }
 
-std::vector<std::string> integrator_names() {
-  std::vector<std::string> names = names_of(integrators());
-  for (std::string& name : names_of(integrator_presets())) names.push_back(std::move(name));
-  return names;
-}
-
 constexpr unsigned kRun = commands::kRender | commands::kResume;
 constexpr unsigned kShow = kRun | commands::kMerge | commands::kDenoise;
 
@@ -379,7 +373,7 @@ std::vector<RenderOption> options_of_method() {
        .value_name = "NAME",
        .group = OptionGroup::Method,
        .commands = commands::kRender,
-       .choices = integrator_names(),
+       .choices = names_of(integrators()),
        .read =
            [](S& spec, const std::string& /*flag*/, const std::string& text) {
              find_integrator(text);
