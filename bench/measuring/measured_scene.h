@@ -15,8 +15,8 @@ struct MeasureOptions {
   int longer_side = 0;      ///< pixels, in the scene's own shape; 0: 160×120 for all
   bool box_filter = false;  ///< one pixel wide, instead of the scene's own
   std::string folder = "build/measured-scenes";  ///< where references are kept
-  double reference_seconds = 400.0;              ///< of CPU, of all that is rendered
-  /// Of references: these two fail in different places.
+  double reference_seconds = 400.0;              ///< CPU time of all that is rendered
+  /// Methods of references, which fail in different places.
   std::vector<std::string> reference_methods = {"bdpt", "selective"};
 };
 

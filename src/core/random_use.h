@@ -18,7 +18,7 @@ enum class RandomUse : std::uint64_t {
   Bootstrap = 0xb0075,
   Seeds = 0x5eed,       ///< systematic resampling
   Chain = 0xc4a15,      ///< a chain's own seed
-  StepLength = 0x1e46,  ///< of small steps; beyond the keys of tries
+  StepLength = 0x1e46,  ///< length of small steps; beyond the keys of tries
   RasterMove = 0x7a57e7,
   RasterLength = 0x1e467,
   PathMutation = 0x9a7b1,  ///< choice among the mutations of paths
@@ -35,7 +35,7 @@ enum class RandomUse : std::uint64_t {
   RouletteTrial = 0x4071e77e,
   RouletteScramble = 1,  ///< their points
   TechniqueTrial = 0x11997,
-  TechniqueTiles = 0x711e5,  ///< which of the picture it renders
+  TechniqueTiles = 0x711e5,  ///< choice of the tiles that are rendered
   // The seed reservoir.
   SeedRoulette = 0x6a1e,
   PilotRoulette = 0xf09d,

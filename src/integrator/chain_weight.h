@@ -4,12 +4,12 @@
 
 namespace ajar {
 
-/// What Markov chains make of each path, where others make the rest.
+/// Weight of Markov chains in the light of each path, where others make the rest.
 class ChainWeight {
  public:
   ChainWeight() = default;
   virtual ~ChainWeight() = default;
-  /// What multiplies a contribution that lands on `raster` in the target of the chains.
+  /// Factor of a contribution that lands on `raster` in the target of the chains.
   virtual float share(const Contribution& contribution, const Vec2& raster) const = 0;
   /// Factor for a technique's contribution, with its MIS weight and without its roulette weight:
   /// its luminance.

@@ -16,7 +16,7 @@ inline const std::string kWeakLayer = "indirect-weak";
 /// The film's layer of its samples of the chains' part: another estimate of their layer.
 inline const std::string kStrongLayer = "indirect-strong";
 
-/// How the long paths of a pixel are divided.
+/// Division of the long paths of a pixel.
 struct PixelDivision {
   /// T: of what a technique brings, chains make the part above, in the units of radiance ·
   /// importance. 0: all of it.

@@ -221,7 +221,7 @@ struct AovInfo {
   bool made_by_method = true;  ///< false: of sums that every film has
   std::string made_with{};     ///< the layer of a film that it is made of, if not of its own name
   int pictures = 0;            ///< layers that are made of it beside those of the film
-  static constexpr int kPerReplicate = -1;  ///< of `pictures`
+  static constexpr int kPerReplicate = -1;  ///< value of `pictures`
 };
 /// Every layer there is, those that need no asking for ("direct", "indirect") included.
 const std::vector<AovInfo>& aovs();

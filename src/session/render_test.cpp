@@ -286,7 +286,7 @@ TEST(Render, OfFewSamplesIsPreparedIfThatIsShort) {
   EXPECT_FALSE(has_note(listener, kFewSamples));
 }
 
-/// Of more camera samples than are few.
+/// A render of enough camera samples.
 TEST(Render, HasTheChainsThatWereAskedForByName) {
   RenderOrder order = small_order(1);
   order.spec.integrator = "mmlt";

@@ -122,7 +122,7 @@ class OverSeeds : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(OverSeeds, BrightnessScattersWithinErrorBars) {
   constexpr int kSeeds = 100;
-  // They know b from the bootstrap alone, to which caustics are rare.
+  // Published chains know b from the bootstrap alone, to which caustics are rare.
   const bool has_rare_caustics = GetParam() == "mmlt" || GetParam() == "pssmlt";
   const auto scene =
       test::scene_from(small_scene(has_rare_caustics ? "Room" : "NestedDielectrics").text);

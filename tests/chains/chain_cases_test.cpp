@@ -303,8 +303,8 @@ TEST(ChainLayers, DensityCountsVisitsAndAcceptanceIsAProbability) {
     options.samples = 64;
     options.replicates = 4;
     options.aovs = {"density", "acceptance"};
-    // Enough for seeds in each replicate.
-    options.parameters["bootstrap"] = "100000";
+    // Enough seeds for each replicate, and a mutation per pixel for each chain.
+    options.parameters = {{"bootstrap", "100000"}, {"chains", "100"}};
     const test::Render render = test::render(*scene, options);
     const std::vector<float> density = render.layer("density");
     double sum = 0.0;

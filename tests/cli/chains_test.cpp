@@ -89,8 +89,8 @@ TEST_F(Cli, StatisticsTellWhatChainsDid) {
 
 TEST_F(Cli, LayersOfChainsAreWritten) {
   const Outcome outcome =
-      render({"--integrator", "pssmlt", "--spp", "32", "--set", "bootstrap=20000", "--aov",
-              "density,acceptance", "-o", "a.exr", "-o", "b.png"});
+      render({"--integrator", "pssmlt", "--spp", "32", "--set", "bootstrap=20000", "--set",
+              "chains=100", "--aov", "density,acceptance", "-o", "a.exr", "-o", "b.png"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   // In false colours, with a legend.
   const Image map = read_image(file("b.density.png").string());

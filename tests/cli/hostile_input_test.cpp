@@ -104,18 +104,17 @@ TEST_F(HostileInput, PipesInScenesAreWarningsOrErrorsWithTheirPlace) {
 
 TEST_F(HostileInput, SmallImagesThatClaimToBeHugeAreReplaced) {
   // 65535 x 65535 pixels in 35 bytes, for which some decoders fail inside.
-  const std::string gif(
-      "GIF89a\xff\xff\xff\xff\x80\0\0\0\0\0\xff\xff\xff,\0\0\0\0\1\0\1\0\0\2\2\x44\1\0;", 35);
-  std::ofstream(file("a.gif"), std::ios::binary) << gif;
+  const std::string header("\0\0\2\0\0\0\0\0\0\0\0\0\xff\xff\xff\xff\x18\0", 18);
+  std::ofstream(file("a.tga"), std::ios::binary) << header << std::string(17, '\0');
   scene("",
-        "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"a.gif\"\n"
+        "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"a.tga\"\n"
         "Material \"matte\" \"texture Kd\" \"t\"\n"
-        "LightSource \"infinite\" \"string mapname\" \"a.gif\"\n");
+        "LightSource \"infinite\" \"string mapname\" \"a.tga\"\n");
   const Outcome outcome = render_scene();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "it claims 65535x65535 pixels, but has 35 bytes"))
       << outcome.err;
-  expect_refused(run_limited({"compare", "a.gif", "a.gif"}), 4, "it claims 65535x65535 pixels");
+  expect_refused(run_limited({"compare", "a.tga", "a.tga"}), 4, "it claims 65535x65535 pixels");
 }
 
 TEST_F(HostileInput, NestedMixesTakeNoLongerThanTheirFile) {

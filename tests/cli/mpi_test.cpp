@@ -58,7 +58,9 @@ TEST_F(MpiCli, WithoutItsMpiModuleTheProgramRefusesToBeARank) {
 
 std::vector<std::string> small_render(const std::string& integrator, const std::string& output) {
   // The default bootstrap takes longer than all the rest.
-  const std::string setting = integrator == "bdpt" ? "cull=0" : "bootstrap=5000";
+  const std::string setting = integrator == "bdpt"        ? "cull=0"
+                              : integrator == "selective" ? "split=1"
+                                                          : "bootstrap=5000";
   return {"render",  "builtin:cornell", "--resolution", "24x16",     "--spp", "24", "--progress",
           "none",    "--integrator",    integrator,     "--threads", "1",     "-o", output,
           "--stats", "stats.json",      "--set",        setting};

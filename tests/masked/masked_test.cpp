@@ -37,7 +37,7 @@ test::RenderOptions options_for(std::uint64_t samples) {
   return options;
 }
 
-/// The same map for every pixel.
+/// Writes a map of one weight for all pixels.
 void write_map(const std::string& path, Vec2i size, float weight) {
   const std::vector<float> pixels(
       3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), weight);

@@ -23,7 +23,7 @@ std::unique_ptr<Scene> rarely_lit() {
   return test::scene_from(test::pbrt_scene(
       "LookAt 0 0 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [60]\n", 8, 6,
       "AttributeBegin\nTranslate 0 3 -4\nAreaLightSource \"diffuse\" \"rgb L\" [100 100 100]\n"
-      "Shape \"sphere\" \"float radius\" [0.4]\nAttributeEnd\n"
+      "Shape \"sphere\" \"float radius\" [0.7]\nAttributeEnd\n"
       "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.7]\n" +
           quad_of("-3 -1 -6  3 -1 -6  3 -1 3  -3 -1 3") +
           quad_of("-3 -1 2  3 -1 2  3 3 2  -3 3 2")));

@@ -140,7 +140,7 @@ Shape "trianglemesh" "point P" [-2 0.5 -2  2 0.5 -2  2 0.6 2  -2 0.4 2] "integer
 )");
 }
 
-/// What camera samples and manifold connections find is together worth what the bootstrap of `mlt`
+/// Camera samples and manifold connections together find as much light as the bootstrap of `mlt`
 /// says, which tries connections eight times as often: hits that were counted whole, or tries by
 /// another number, would show.
 TEST(SeedReservoir, SharesWhatNoConnectionMakesWithManifoldConnections) {
@@ -184,7 +184,7 @@ TEST(SeedReservoir, SharesWhatNoConnectionMakesWithManifoldConnections) {
   }
   const double error = std::hypot(all.standard_error(), expected.standard_error());
   EXPECT_NEAR(all.mean(), expected.mean(), 5.0 * error);
-  // What the test is for: that neither part is missing, or there twice.
+  // Neither part may be missing, or there twice.
   const double joined = all.mean() - hits.mean();
   EXPECT_LT(5.0 * error, std::min(hits.mean(), joined)) << "too noisy to notice";
 }

@@ -65,7 +65,7 @@ TEST(Selective, UsesTheUsersTechniques) {
   EXPECT_EQ(
       report_of(scene, 1, {{"light-paths-per-pixel", "2"}}).at("omc").at("light_paths_per_sample"),
       2.0);
-  // Of version 0.2, each answered with its new name.
+  // Names of version 0.2 are answered with the new ones.
   using Settings = std::map<std::string, std::string>;
   for (const Settings& old :
        {Settings{{"chain", "pssmlt"}}, Settings{{"omc", "ibpt"}}, Settings{{"preset", "published"}},

@@ -6,20 +6,20 @@
 #include "session/job/ranks.h"
 #include "session/options/render_spec.h"
 
-/// What the commands of the program are told, as written on the command line. Each command returns
+/// Arguments of the program's commands, as written on the command line. Each command returns
 /// an exit code or raises an `Error`.
 namespace ajar::cli {
 
 /// A scene as the user names it.
 struct SceneArguments {
   std::string scene;
-  RenderSpec spec;  ///< what is said of it, and of renders of it
+  RenderSpec spec;  ///< options of the scene and of its renders
 };
 
 /// Manner of a render: nothing of it decides the picture.
 struct RunArguments {
   std::string progress = "auto";
-  Ranks* ranks = nullptr;  ///< who render together; null: this process alone
+  Ranks* ranks = nullptr;  ///< processes that render together; null: this process alone
 };
 
 struct RenderArguments {

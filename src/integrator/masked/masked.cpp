@@ -174,7 +174,7 @@ class MaskedIntegrator final : public Integrator {
   /// Camera samples per pixel after `samples` samples of the render.
   std::uint64_t omc_samples(std::uint64_t samples) const { return kept_ + samples; }
   std::uint64_t mutations(std::uint64_t samples) const { return samples * mutations_; }
-  /// Of the chains' items, which come after the others in a pass.
+  /// Share of the chains' items, which come after the others in a pass.
   WorkShare share_of_chains(const WorkShare& share) const {
     return {(share.index + share.count - omc_items() % share.count) % share.count, share.count};
   }

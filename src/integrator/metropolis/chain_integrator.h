@@ -89,7 +89,7 @@ class ChainIntegrator final : public ChainMethod {
   std::size_t chains_;
   Space space_;
   std::vector<MeasuredPopulation> populations_;
-  std::vector<SampleBlock> blocks_;      ///< of the bootstrap
+  std::vector<SampleBlock> blocks_;      ///< samples of the bootstrap
   std::vector<Item> items_;              ///< one per chain
   std::vector<std::size_t> chains_per_;  ///< replicate
   std::uint64_t doubled_at_ = 0;         ///< samples per pixel

@@ -15,9 +15,9 @@ struct ChainOrder {
   PathSamplerSettings sampler;  ///< sampler of the bootstrap
   std::vector<PathGroup> groups;
   std::uint64_t bootstrap = 0;          ///< samples, over all groups and replicates
-  Parameters monte_carlo;               ///< of what renders if there was no time for a bootstrap
-  std::vector<std::string> notes = {};  ///< what the user may like to know of the chains
-  const ChainWeight* part = nullptr;    ///< of the light, if chains do not make all; outlives them
+  Parameters monte_carlo;               ///< parameters of the fallback without a bootstrap
+  std::vector<std::string> notes = {};  ///< notes for the user on the chains
+  const ChainWeight* part = nullptr;    ///< weight of chains; null if they make all light
 };
 
 /// All but the groups, by the parameter `bootstrap` and those of the family of path sampling.

@@ -30,7 +30,7 @@ struct ChainMoves {
   PrimarySettings settings;
   std::shared_ptr<const Mutation> mutation;
   bool mis_large_steps;
-  PlaneRule plane{};  ///< of steps that follow the image plane
+  PlaneRule plane{};  ///< rule of steps that follow the image plane
   SeedRule seeds{};
 };
 

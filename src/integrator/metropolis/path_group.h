@@ -70,7 +70,7 @@ struct ChainProblem {
   const Scene& scene;
   const PathGroup& group;
   const ChainView& view;
-  const ChainWeight* part = nullptr;  ///< of the light that chains make; null: all of it
+  const ChainWeight* part = nullptr;  ///< weight of chains in the light; null: 1
 };
 
 /// A target of one thread; of explicit paths, connections of two subpaths. What is referred to must
@@ -83,7 +83,7 @@ inline std::unique_ptr<PathTarget> make_path_target(const ChainProblem& problem)
   return make_path_target(problem.scene, problem.group, problem.view, problem.part);
 }
 
-/// The same for bootstraps: of explicit paths, what these start from (`PathSeeds`). It never
+/// A target of bootstraps: for explicit paths, that of their seeds (`PathSeeds`). It never
 /// splats.
 std::unique_ptr<PathTarget> make_seed_target(const Scene& scene, const PathGroup& group,
                                              const ChainView& view,

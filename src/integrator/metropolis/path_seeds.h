@@ -20,7 +20,7 @@ namespace ajar {
 /// give paths in proportion to their light. Never splats.
 class PathSeeds final : public PathTarget {
  public:
-  /// What is referred to must outlive it. `part`: of what techniques bring, if chains do not make
+  /// All arguments must outlive it. `part`: of what techniques bring, if chains do not make
   /// all light; else null. `manifold_tries`: of manifold connections, for each sample.
   PathSeeds(const Scene& scene, const PathGroup& group, const ChainView& view,
             const ChainWeight* part = nullptr,

@@ -18,7 +18,7 @@ namespace ajar {
 /// weight.
 class PathShare final : public PathWeight {
  public:
-  /// What is referred to must outlive it; `part` is null if techniques leave all they find: then W
+  /// All arguments must outlive it; `part` is null if techniques leave all they find: then W
   /// is 1 on paths that any of them makes, and 0 elsewhere. Chains of a sampler that runs into
   /// lights start from manifold connections, too; what these find that no technique can make is all
   /// theirs: W is 1. Outside of `paths` it is 0.

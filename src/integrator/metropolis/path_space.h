@@ -86,7 +86,7 @@ class PathSpace {
   /// The weight of paths if chains do not make all light.
   static std::optional<PathShare> share_of(const ChainProblem& problem);
 
-  std::vector<double> weights_;  ///< of the mutations
+  std::vector<double> weights_;  ///< weights of the mutations
 };
 
 }  // namespace ajar

@@ -49,7 +49,7 @@ class VisitMaps final : public VisitSink {
  private:
   /// The moves that follow from the film as it is.
   void make_moves();
-  /// Of all replicates but one (-1: of all), scaled to the number of all.
+  /// Visits of all replicates but one (-1: of all), scaled to the number of all.
   std::vector<PixelVisits> visits_without(int replicate) const;
 
   PlaneRule rule_;
@@ -61,7 +61,7 @@ class VisitMaps final : public VisitSink {
   bool gathers_ = true;
   std::vector<std::int64_t> learned_;  ///< the film's sums that moves were made of; may be empty
   std::vector<std::int64_t> known_;    ///< sums that all processes have; empty: none
-  std::vector<std::shared_ptr<const PlaneMoves>> moves_;  ///< of each replicate
+  std::vector<std::shared_ptr<const PlaneMoves>> moves_;  ///< moves of each replicate
 };
 
 }  // namespace ajar

@@ -25,7 +25,7 @@ ChainView view() {
   return view;
 }
 
-/// Of a raster position.
+/// Primary numbers of a raster position.
 Vec2 primary(float x, float y) { return {(x + 0.5F) / 5.F, (y + 0.5F) / 5.F}; }
 
 TEST(VisitMaps, ExactMapsComeFromTheOtherReplicatesOnce) {

@@ -42,7 +42,7 @@ struct PathIntegratorContext {
   /// `kWeakLayer`.
   const Divisions* divisions = nullptr;
   const OutlierSinkFactory* strong = nullptr;  ///< see what it leaves to chains
-  const SampleRates* rates = nullptr;          ///< of camera samples; one per pixel without
+  const SampleRates* rates = nullptr;          ///< rates of camera samples; without, one per pixel
   const RayPrice* price = nullptr;             ///< saves rays by Russian roulette
   std::optional<PictureScale> scale{};         ///< measured unless it is known
   bool joins_by_manifolds = false;             ///< see `blind_spots`

@@ -91,7 +91,7 @@ class SampleSink final : public PathSink {
   Spectrum indirect_;
   Spectrum strong_light_;
   bool keeps_strong_ = false;
-  double outlier_threshold_ = 0.0;  ///< of the strong paths
+  double outlier_threshold_ = 0.0;  ///< Russian roulette of outlier paths
   std::uint64_t origin_ = 0;
   std::vector<OutlierPath> strong_;
 };

@@ -19,10 +19,10 @@ inline constexpr std::array<const char*, 4> kRegionLayers = {"noise", "regions",
 /// Pictures of one channel, by name of their layer.
 using NamedPlanes = std::vector<std::pair<std::string, Plane>>;
 
-/// Those of `kRegionLayers` that `aovs` names. `importance`: of chains, in [0, 1].
+/// Layers of `kRegionLayers` that `aovs` names. `importance`: weight of chains, in [0, 1].
 NamedPlanes region_layers(std::span<const std::string> aovs, const Surfaces& surfaces,
                           const Plane& noise, const Plane& importance);
-/// The same of a render without regions: black pictures.
+/// Layers of a render without regions: black pictures.
 NamedPlanes black_region_layers(std::span<const std::string> aovs, const Box2i& crop);
 
 /// A row for each region, the largest first: its number in the layer "regions", its pixels, object

@@ -9,7 +9,7 @@
 
 namespace ajar {
 
-/// What ordinary Monte Carlo learns while a render with chains goes on: where its camera samples
+/// Adaptation of ordinary Monte Carlo while a render with chains goes on: where its camera samples
 /// go, and what its rays have to bring. Every sample of the picture stands for the whole of it,
 /// whatever was known by then, so nothing is biased, though it is learnt from samples that stay.
 class AdaptiveSampling {

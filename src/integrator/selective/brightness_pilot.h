@@ -14,7 +14,7 @@ class BrightnessPilot final : public PreparationStage {
  public:
   struct Result {
     double brightness = 0.0;
-    ImportanceMap importance;  ///< of the configuration, or relative to the brightness
+    ImportanceMap importance;  ///< importance of the configuration, or relative to the brightness
     PictureScale scale;
     std::vector<float> first_look;  ///< RGB, row by row of the crop
   };

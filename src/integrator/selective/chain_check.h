@@ -6,7 +6,7 @@
 
 namespace ajar {
 
-/// Whether chains can have come out of a render with this plan after `samples` samples per pixel,
+/// Checks that chains can have come out of a render like this after `samples` samples per pixel,
 /// so that they can go on: also whether each is at a state that its target knows. Raises
 /// std::runtime_error. For what is read from an archive.
 void check_population(const ChainPopulation& population, const SelectivePreparation& prepared,

@@ -19,7 +19,7 @@ struct Cell {
   double fraction() const { return light > 0.0 ? std::clamp(of_chains / light, 0.0, 1.0) : 0.0; }
 };
 
-/// What turns a sum of contributions to indirect light into that of pixels.
+/// Scale from sums of contributions to indirect light to pixel values.
 DevelopScale scale_of_found(const PilotView& view) {
   const auto layers = view.film.layers();
   const auto indirect = std::find_if(layers.begin(), layers.end(), [](const LayerSpec& layer) {

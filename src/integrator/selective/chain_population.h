@@ -8,7 +8,7 @@ namespace ajar {
 
 /// Chains that share the light with ordinary Monte Carlo, with what is known of their b.
 struct ChainPopulation : PopulationOf<SelectiveChain> {
-  ChainRecord retired;          ///< of chains that others have replaced
+  ChainRecord retired;          ///< record of chains that others have replaced
   double samples_behind = 0.0;  ///< camera samples that seeds were found with
   /// b, as `SeedReservoir` estimates it.
   struct Brightness {

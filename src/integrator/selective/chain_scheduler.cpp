@@ -51,7 +51,7 @@ void ChainScheduler::run(std::uint64_t item, std::uint64_t first_sample, std::ui
                      counters);
   const auto in_population = static_cast<double>(population.chains.size());
   walker->start(member);
-  // How often chains are started is up to the clock, which must not share the effort.
+  // The number of starts is up to the clock, which must not share the effort.
   const std::uint64_t rays_to_start = walker->ray_counts().rays;
   ChainStatistics statistics;
   for (std::uint64_t block = first_sample; block < first_sample + samples; ++block) {

@@ -51,7 +51,7 @@ class ChainScheduler {
   const Epoch& epoch_;
   std::vector<Item> items_;
   std::vector<std::size_t> chain_counts_;  ///< per replicate
-  std::vector<double> shares_;  ///< of the mutations, of replicates of each division of the light
+  std::vector<double> shares_;             ///< shares of the mutations, by division of the light
 };
 
 }  // namespace ajar

@@ -23,7 +23,7 @@ PathChain chain_at(Path path, std::uint64_t seed, std::uint64_t origin) {
   return chain;
 }
 
-/// Whether a chain of explicit paths can be there.
+/// Tests whether a chain of explicit paths can be there.
 bool is_lit(const SelectivePreparation& prepared, const PathGroup& group, int replicate,
             const Path& path) {
   PathShare share = path_share_of(prepared, group, replicate);

@@ -14,10 +14,10 @@ namespace ajar {
 
 /// Settings of a render by `selective`: its parameters, read and checked. Immutable.
 struct SelectiveConfig {
-  /// Whose error is to be least.
+  /// Picture whose error is to be least.
   enum class Objective {
-    Filtered,  ///< of the filtered picture
-    Raw        ///< of the picture as rendered
+    Filtered,  ///< the filtered picture
+    Raw        ///< the picture as rendered
   };
   /// Use of the samples from which the division is decided.
   enum class PilotSamples {
@@ -30,10 +30,10 @@ struct SelectiveConfig {
   SelectiveConfig(const Scene& the_scene, const RenderSettings& render_settings,
                   const Parameters& parameters);
 
-  std::uint64_t pixels() const;  ///< of the crop
+  std::uint64_t pixels() const;  ///< number in the crop
   /// Settings of ordinary Monte Carlo in the render: without the layers that are made of chains.
   RenderSettings omc_settings() const;
-  /// Whether ordinary Monte Carlo and chains share light at all: paths of more than two edges.
+  /// Tests for light that ordinary Monte Carlo and chains may share: paths of more than two edges.
   bool has_long_paths() const;
 
   const Scene& scene;
@@ -46,14 +46,14 @@ struct SelectiveConfig {
   bool efficient_roulette;      ///< ray_price.h
   bool antialias;               ///< along edges where the division has a step
   UserRegions regions;
-  PathFamilyDefaults omc;   ///< of ordinary Monte Carlo and chains, unless a pilot chooses
-  bool chooses_techniques;  ///< whether a pilot does
+  PathFamilyDefaults omc;   ///< techniques of both halves, unless a pilot chooses
+  bool chooses_techniques;  ///< a pilot does
   /// T that regions choose from, relative to the brightness, ascending.
   std::vector<double> thresholds;
   double fireflies_threshold;  ///< T of chains that make fireflies only, relative to the brightness
   bool relative_importance;    ///< importance follows the pilot's brightness
   ChainView view;              ///< with the importance, unless that is relative
-  std::shared_ptr<const Mutation> mutation;  ///< of primary numbers
+  std::shared_ptr<const Mutation> mutation;  ///< mutation of primary numbers
   PrimarySettings moves;
   std::vector<double> path_mutations;  ///< weights, of chains of explicit paths
 };

@@ -18,9 +18,9 @@ struct DivisionResult {
   std::vector<RegionChoice> choices;  ///< one, or one for each half of the replicates
   Divisions divisions;
   bool fireflies_only;    ///< chains pay nowhere
-  Plane noise;            ///< of the indirect light
-  double chain_fraction;  ///< of the picture (chain_fraction.h)
-  std::uint64_t samples;  ///< of the pilot, per pixel
+  Plane noise;            ///< impulse noise of the indirect light
+  double chain_fraction;  ///< fraction of the picture (chain_fraction.h)
+  std::uint64_t samples;  ///< samples of the pilot per pixel
 };
 
 /// Samples of ordinary Monte Carlo that decide how the light is divided (region_choice.h). They are
@@ -53,7 +53,7 @@ class DivisionPilot final : public PreparationStage, public OutlierSinkFactory {
   int replicates() const;
   /// Samples per pixel: each replicate has as many.
   std::uint64_t planned_samples() const;
-  /// Whether the finds of a replicate may start chains.
+  /// Tests whether the finds of a replicate may start chains.
   bool offers(int replicate) const {
     // If the pilot is discarded, one half is for the division and the other for chains.
     return stays() || replicate % 2 == 1;

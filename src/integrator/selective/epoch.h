@@ -18,7 +18,8 @@ class Epoch {
   /// 0 where there are no recruits.
   std::uint64_t end() const { return end_; }
   double sample_weight() const { return sample_weight_; }
-  /// Of the first `samples` samples, not fewer than `begin`, with the present weight from there on.
+  /// Weight of the first `samples` samples, not fewer than `begin`, with the present weight from
+  /// there on.
   double weight_until(std::uint64_t samples) const {
     return weight_before_ + sample_weight_ * static_cast<double>(samples - begin_);
   }
@@ -49,7 +50,7 @@ class Epoch {
   std::uint64_t begin_ = 0;
   std::uint64_t end_ = 0;
   double sample_weight_ = 1.0;
-  double weight_before_ = 0.0;  ///< of all stretches before
+  double weight_before_ = 0.0;  ///< weight of all epochs before
 };
 
 }  // namespace ajar

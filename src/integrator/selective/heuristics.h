@@ -30,12 +30,11 @@ struct SelectiveHeuristics {
   /// with. Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Constants"; cbffe58:
   /// without a bound, fireflies decided between ibpt and bdpt on bathroom.
   static constexpr double kBright = 3.0;
-  /// What looks no worse if it is brighter: chains that stand by have it for T (with a number for
-  /// `split`, so many times that), large steps do not learn from more, and paths count up to it
-  /// where it is asked whether chains pay.
-  /// Unit: brightness. Range: > kHighestThreshold. Source: docs/notebook/selective.md, "Whether
-  /// chains pay": efficiency with 30, 100 and 1000 is 5.8, 5.8 and 2.1 on torus-in-glass, 169, 173
-  /// and 176 on cornell; "Constants".
+  /// Display white: brighter light looks no worse. Chains for fireflies only have it for T (with a
+  /// number for `split`, so many times that), large steps do not learn from more, and paths count
+  /// up to it where it is asked whether chains pay. Unit: brightness. Range: > kHighestThreshold.
+  /// Source: docs/notebook/selective.md, "Whether chains pay": efficiency with 30, 100 and 1000
+  /// is 5.8, 5.8 and 2.1 on torus-in-glass, 169, 173 and 176 on cornell; "Constants".
   static constexpr double kDisplayWhite = 100.0;
   /// For how much a path counts where it is asked whether chains that stand by would be idle. Of
   /// light that is found in one sample of ten thousand, a pilot sees one or two paths. They are far
@@ -138,10 +137,10 @@ struct SelectiveHeuristics {
   /// their choice would follow the pilot's noise.
   /// Unit: paths (kBright). Range: > 0. Source: 771f36f; half and double not measured.
   static constexpr std::size_t kFewestOfRegion = 50;
-  /// Of variances of pixels, the worst of so many are left out: what chains leave is in few pixels.
-  /// Unit: pixels. Range: > 1. Source: 3ed3aa3: trials on door-ajar, torus-in-glass, pool
-  /// and teapot-full show a C of 4 to 5 without the worst of 100, and of 10, 7, 6 and 16 without
-  /// that of 1000.
+  /// Trimming of variances: the worst of so many pixels are left out, since chains' errors are in
+  /// few. Unit: pixels. Range: > 1. Source: 3ed3aa3: trials on door-ajar, torus-in-glass, pool and
+  /// teapot-full show a C of 4 to 5 without the worst of 100, and of 10, 7, 6 and 16 without that
+  /// of 1000.
   static constexpr std::size_t kWorstOf = 1000;
 
   // -------------------------------------------------------- what mutations are worth
@@ -186,7 +185,7 @@ struct SelectiveHeuristics {
   /// Unit: chains of a replicate. Range: >= 1. Source: 9a8cb07: two depended on luck. The value has
   /// no study.
   static constexpr std::uint64_t kFewestChains = 32;
-  /// How many are expected to pay in a picture of which all light is the chains'. There are as many
+  /// Mutations expected to pay in a picture all of whose light is the chains'. There are as many
   /// chains as if so many paid, as long as they do not take much memory: few of them, for what
   /// there is to explore, leave islands of light to luck for the rest of the render. And it is the
   /// first guess of the effort: until more is known of the strongest paths, more mutations than are
@@ -194,7 +193,7 @@ struct SelectiveHeuristics {
   /// and sample. Range: > 0. Source: 65ab297: torus-in-glass had 128 chains where 768 left 0.87 of
   /// the error; e243d5c for the first guess.
   static constexpr double kExpectedMutations = 3.0;
-  /// What that rule makes at most.
+  /// Upper bound of that rule.
   /// Unit: chains of a replicate. Range: >= kFewestChains. Source: ccdfc72, for memory.
   static constexpr std::uint64_t kMostExpectedChains = 8192;
 

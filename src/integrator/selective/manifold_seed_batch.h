@@ -11,7 +11,7 @@ namespace ajar {
 /// A path that no connection makes, found by a manifold connection.
 struct ManifoldSeedPath {
   Path path;
-  double energy;      ///< of `OutlierPath`
+  double energy;      ///< as in `OutlierPath`
   std::uint64_t key;  ///< names the randomness of a chain that starts there
 };
 

@@ -15,8 +15,8 @@
 /// and a mutation c_m, the best split of a time t leaves the error (√(X·c_s) + √(C·c_m)·b)² / t.
 namespace ajar {
 
-/// What each threshold would mean for a region; as many of both, the same for all regions. The last
-/// one can be "none": no light for chains.
+/// Variance and light of a region at each threshold; as many of both, the same for all regions. The
+/// last one can be "none": no light for chains.
 struct ThresholdEstimate {
   std::vector<double>
       variance;               ///< Σ w·V of what may go to chains, if it does beyond the threshold

@@ -56,7 +56,7 @@ TEST(OptimalThresholds, PredictTheErrorOfTheBestSplitOfTime) {
   const ThresholdChoice choice = predict_thresholds(regions, costs, {0, 1, 0});
   EXPECT_DOUBLE_EQ(choice.variance, 8.0);
   EXPECT_DOUBLE_EQ(choice.chain_light, 12.0);
-  // Of all splits f of one unit of time, X·c_s/f + C·b²·c_m/(1 − f) is smallest where n and N are.
+  // Among splits f of one unit of time, X·c_s/f + C·b²·c_m/(1 − f) is smallest where n and N are.
   const auto error = [&](double f) {
     return choice.variance * costs.omc_sample / f +
            costs.correlation * 144.0 * costs.mutation / (1.0 - f);

@@ -10,8 +10,8 @@ namespace ajar {
 /// The numbers that ordinary Monte Carlo has made a path of, so that a chain can start there.
 class PathNumbers {
  public:
-  /// Of both subpaths, of which `path` must know the light's number, for as many vertices as the
-  /// path's technique has.
+  /// Records both subpaths, of which `path` must know the light's number, for as many vertices as
+  /// the path's technique has.
   PathNumbers(SampleSource& source, const OutlierPath& path);
   /// None, to be read from an archive.
   PathNumbers() = default;
@@ -19,7 +19,7 @@ class PathNumbers {
   void serialize(Archive& archive) {
     archive(numbers_);
   }
-  /// Whether there are as many as the path needs, all of them in [0, 1).
+  /// Tests whether there are as many as the path needs, all of them in [0, 1).
   bool fit(const OutlierPath& path) const;
 
   /// A chain at the path, with I = 0: its target has yet to be asked. Numbers that the path does

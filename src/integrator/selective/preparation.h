@@ -19,7 +19,7 @@ namespace ajar {
 /// part of what a path brings.
 struct ChosenTechniques {
   PathFamilyDefaults omc;
-  std::vector<PathGroup> groups;  ///< of chains; empty if there are no long paths
+  std::vector<PathGroup> groups;  ///< groups of chains; empty if there are no long paths
   /// Paths of one depth as ordinary Monte Carlo finds them, where groups hold several depths.
   std::vector<PathGroup> depth_groups;
 };
@@ -37,7 +37,7 @@ struct SelectivePreparation {
   // ---- BrightnessPilot
   double brightness = 0.0;  ///< mean luminance · importance of the pixels; 0: no light was found
   ChainView view;           ///< with the importance of places on the film; until then, that given
-  std::optional<PictureScale> scale;  ///< of the picture; measured anew unless it is known
+  std::optional<PictureScale> scale;  ///< scale of the picture; measured anew unless it is known
 
   // ---- TechniquePilot; until then, of the configuration
   ChosenTechniques techniques;

@@ -40,7 +40,7 @@ double omc_cost(const PilotView& view) {
   return view.rays * static_cast<double>(view.prepared.pixels());
 }
 
-/// Those to choose from, and that of chains that make fireflies only.
+/// Thresholds to choose from, and that of chains that make fireflies only.
 std::vector<double> all_thresholds(const SelectiveConfig& config) {
   std::vector<double> thresholds = config.thresholds;
   thresholds.push_back(config.fireflies_threshold);
@@ -49,7 +49,7 @@ std::vector<double> all_thresholds(const SelectiveConfig& config) {
 
 /// A path of the pilot, in the units of the pixels' errors.
 struct DividedPath {
-  std::uint64_t sample;   ///< that found it
+  std::uint64_t sample;   ///< camera sample that found it
   std::size_t replicate;  ///< among those that are seen
   std::size_t pixel;
   float strength;
@@ -183,10 +183,10 @@ std::vector<std::size_t> group_regions(const PilotView& view) {
   return groups;
 }
 
-/// What a choice is made of: regions, put together as `group_regions` has it, and thresholds other
+/// Material of a choice: regions, put together as `group_regions` has it, and thresholds other
 /// than that of chains for fireflies.
 struct OfferedThresholds {
-  std::vector<std::size_t> group_of;  ///< of each region
+  std::vector<std::size_t> group_of;  ///< group of each region
   std::vector<ThresholdEstimate> groups;
 };
 

@@ -11,14 +11,14 @@ namespace ajar {
 
 /// A path of the pilot whose light chains may make.
 struct PilotPath {
-  std::uint64_t sample;  ///< of `OutlierPath`
+  std::uint64_t sample;  ///< as in `OutlierPath`
   Vec2 raster;
   Spectrum value;  ///< left to chains by the pilot, as it would be splatted
   float strength;  ///< g of `Division`
   float energy;    ///< luminance · importance of the whole path
   float weight;    ///< inverse survival probability; already in `value`
   std::int16_t replicate;
-  std::int16_t s;  ///< of its technique
+  std::int16_t s;  ///< vertices of the light subpath
   std::int16_t t;
   bool whole = false;  ///< chains cannot make any of it
 };
@@ -27,11 +27,11 @@ struct PilotPath {
 struct PilotView {
   const SelectivePreparation& prepared;
   const Film& film;
-  const Integrator& omc;  ///< that rendered it
+  const Integrator& omc;  ///< integrator that rendered it
   std::uint64_t samples;  ///< per pixel, of all replicates
   double rays;            ///< per camera sample
   std::span<const PilotPath> found;
-  std::vector<int> replicates;  ///< that are seen; the others are as if they were not there
+  std::vector<int> replicates;  ///< replicates in view; others are as if they were not there
   /// C: variance of a mutation over that of an independent sample.
   double correlation = SelectiveHeuristics::kCorrelation;
 
@@ -41,7 +41,7 @@ struct PilotView {
 /// Division of the regions of a picture.
 struct RegionChoice {
   std::vector<PixelDivision> regions;
-  std::vector<float> noise;  ///< of each region (region_map.h)
+  std::vector<float> noise;  ///< noise of each region (region_map.h)
   /// Predicted error with chains over that without, with 8 C and without the most favourable camera
   /// sample.
   double expected_error = 1.0;

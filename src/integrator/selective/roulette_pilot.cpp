@@ -78,7 +78,7 @@ class RoulettePilot::Sink final : public PathSink {
   struct Departure {
     double throughput;  ///< times the importance of the place on the film
     double light;       ///< brought until then
-    double rays;        ///< of the sampler, until then
+    double rays;        ///< rays of the sampler until then
   };
   double rays() const { return static_cast<double>(sampler_.rays()); }
 

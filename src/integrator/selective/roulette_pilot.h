@@ -39,7 +39,7 @@ class RoulettePilot final : public PreparationStage {
 
   const SelectivePreparation& prepared_;
   PathSamplerSettings sampler_;
-  std::vector<Sums> sums_;  ///< of each item
+  std::vector<Sums> sums_;  ///< sums of each item
   std::optional<RayPrice> price_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace ajar {
 
-/// How the effort of a render is shared between its halves: how many camera samples and how many
+/// Allocation of a render's effort between its halves: how many camera samples and how many
 /// mutations its "samples per pixel" are.
 class SampleAllocation {
  public:
@@ -36,9 +36,9 @@ class SampleAllocation {
     return omc_samples_ > 0 ? static_cast<double>(omc_rays_) / static_cast<double>(omc_samples_)
                             : 0.0;
   }
-  /// Whether both halves have been at work.
+  /// Tests whether both halves have been at work.
   bool can_adjust() const { return !prepared_.shortage && mutations_ > 0 && omc_samples_ > 0; }
-  /// What either half has made of the picture until now, for the eye (`seen_light`).
+  /// Pictures of either half until now, for the eye (`seen_light`).
   struct Seen {
     std::vector<std::vector<float>> of_omc;
     std::vector<std::vector<float>> of_chains;
@@ -49,7 +49,7 @@ class SampleAllocation {
   /// however many mutations it has, so nothing is biased. Only if `can_adjust`.
   void adjust(std::uint64_t samples, const WeightedErrors& of_omc, const WeightedErrors& of_chains,
               const std::optional<Seen>& seen);
-  /// What it knows, if it does.
+  /// Measurements, as far as there are any.
   struct Known {
     double mutations_per_sample;
     std::optional<double> correlation;  ///< variance of chains over that of as many samples
@@ -83,7 +83,7 @@ class SampleAllocation {
   std::atomic<std::uint64_t> omc_samples_{0};
   std::atomic<std::uint64_t> chain_rays_{0};
   std::atomic<std::uint64_t> mutations_{0};
-  std::array<std::uint64_t, 4> known_{};  ///< of these four, what all processes have
+  std::array<std::uint64_t, 4> known_{};  ///< counts that all processes have
   double correlation_ = 0.0;
   double chain_error_ = 0.0;  ///< share of the squared error
 };

@@ -105,7 +105,7 @@ class SeedReservoir final : public OutlierSinkFactory {
   double threshold_ = 0.0;  ///< luminance · importance below which Russian roulette decides
   mutable std::mutex mutex_;
   mutable std::vector<SeedPath> seeds_;  ///< in the order in which threads found them
-  std::vector<SeedPath> shared_;         ///< those that processes have exchanged
+  std::vector<SeedPath> shared_;         ///< seeds that processes have exchanged
 };
 
 }  // namespace ajar

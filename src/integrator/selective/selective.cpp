@@ -89,7 +89,7 @@ class SelectiveIntegrator final : public Integrator {
   void disable_chains(std::optional<Shortage> shortage);
   void make_omc();
 
-  /// Whether ordinary Monte Carlo adapts as the render goes on.
+  /// Tests whether ordinary Monte Carlo adapts as the render goes on.
   bool learns() const { return adaptive_ && adaptive_->learns(); }
   /// Shares effort anew by the errors that replicates show after `samples` samples.
   void share_effort(std::uint64_t samples, const Film& film);
@@ -107,7 +107,7 @@ class SelectiveIntegrator final : public Integrator {
   SelectivePreparation prepared_;
   std::vector<float> first_look_;
   std::vector<Stage> stages_;
-  std::size_t stage_ = 0;                     ///< that is running
+  std::size_t stage_ = 0;                     ///< the running one
   DivisionPilot* division_ = nullptr;         ///< one of the stages; null if nothing is divided
   std::unique_ptr<SeedReservoir> reservoir_;  ///< null if there are no chains
   std::vector<ChainPopulation> populations_;

@@ -13,7 +13,7 @@ namespace ajar {
 struct SelectiveChain {
   std::variant<PathChain, PrimaryChain> state;
   ChainRecord record;
-  double weight = 1.0;  ///< of what it deposits, relative to other chains (`seed_weight`)
+  double weight = 1.0;  ///< weight of its deposits, relative to other chains (`seed_weight`)
 
   Chain& chain() {
     return std::visit([](auto& own) -> Chain& { return own; }, state);

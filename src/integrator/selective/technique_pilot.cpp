@@ -27,7 +27,7 @@ constexpr std::size_t kUsual = 1;
 /// One sample per pixel of the tiles in each of them.
 constexpr int kReplicates = 4;
 
-/// Of the picture that is rendered with each offer.
+/// Share of the picture that is rendered with each offer.
 double share_of_picture(const SelectiveConfig& config) {
   const auto pixels = static_cast<double>(config.pixels());
   const double rendered =
@@ -73,7 +73,7 @@ class TechniquePilot::Candidate final : public OutlierSinkFactory {
   }
 
  private:
-  /// Of sums of squares, which as whole numbers do not depend on the order of threads.
+  /// Unit of sums of squares, which as whole numbers do not depend on the order of threads.
   static constexpr double kUnit = 1 << 20;
 
   class Sink final : public OutlierSink {

@@ -39,20 +39,20 @@ class TechniquePilot final : public PreparationStage {
   struct Errors {
     double weak = 0.0;        ///< variance of what ordinary Monte Carlo keeps
     double strong = 0.0;      ///< second moment of what is beyond the threshold
-    double from_light = 0.0;  ///< of what light subpaths have found there
-    double inner = 0.0;       ///< of that, by connections that are not to the lens
+    double from_light = 0.0;  ///< second moment of finds of light subpaths
+    double inner = 0.0;       ///< part of that by connections that are not to the lens
     double rays = 0.0;
     double after_equal_time() const { return (weak + strong) * rays; }
   };
   /// Shared by the stages.
   struct Trials {
-    std::vector<Errors> errors;  ///< of the offers so far
+    std::vector<Errors> errors;  ///< errors of the offers so far
     std::optional<PathFamilyDefaults> chosen;
   };
 
   TechniquePilot(const SelectivePreparation& prepared, PathFamilyDefaults offer,
                  std::shared_ptr<Trials> trials);
-  /// Whether there are strong paths that inner connections do not make any rarer: they are for
+  /// Tests for strong paths that inner connections do not make any rarer: they are for
   /// chains.
   static bool is_for_chains(const std::vector<Errors>& found);
   /// Chooses, once enough is known for it.

@@ -19,18 +19,18 @@ Replicates develop_layers(const Film& film, const Integrator& integrator, std::u
 std::vector<std::vector<float>> weighted_light(const Replicates& replicates, const Box2i& crop,
                                                const ImportanceMap& importance);
 
-/// Likewise, but means over 3×3 pixels, as the eye takes in fine noise. What chains leave are
+/// Means of that over 3×3 pixels, as the eye takes in fine noise. Errors of chains are
 /// blotches, which such a mean hardly makes fainter.
 std::vector<std::vector<float>> seen_light(const Replicates& replicates, const Box2i& crop,
                                            const ImportanceMap& importance);
 
-/// What errors of pixels weigh: their luminance times the importance of the pixel.
+/// Errors of pixels, weighted: their luminance times the importance of the pixel.
 struct WeightedErrors {
   std::vector<double> variance;  ///< importance² · variance of the mean over replicates
   std::vector<double> light;     ///< importance · mean
 };
 
-/// Of each pixel of `crop`. `replicates`: at least two pictures of it, each unbiased.
+/// Errors of each pixel of `crop`. `replicates`: at least two pictures of it, each unbiased.
 WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
                                const ImportanceMap& importance);
 

@@ -17,7 +17,7 @@ TEST(WeightedErrors, WeighLuminanceByImportance) {
   EXPECT_NEAR(light[0][1], 1.F, 1e-5F);
   const WeightedErrors errors = weighted_errors(replicates, kCrop, importance);
   EXPECT_NEAR(errors.light[0], 3.0, 1e-5);
-  EXPECT_NEAR(errors.variance[0], 2.25, 1e-5);  // of the mean: half of that of 1.5 and 4.5
+  EXPECT_NEAR(errors.variance[0], 2.25, 1e-5);  // half the variance of 1.5 and 4.5
   EXPECT_NEAR(errors.variance[1], 0.0, 1e-9);
 }
 

@@ -93,7 +93,7 @@ std::string size_text(const RenderSettings& s) {
                      s.crop.min.y, s.crop.max.x + 1, s.crop.max.y + 1);
 }
 
-/// What a record says, in the words of the command line.
+/// Text of a record in the words of the command line.
 std::vector<std::pair<std::string, std::string>> described(const RenderRecord& record) {
   const RenderSettings& s = record.settings;
   std::vector<std::pair<std::string, std::string>> lines = {

@@ -16,13 +16,14 @@
 
 namespace ajar {
 
-/// What is rendered, and how: all that decides the bits of a picture but for the number of samples.
+/// Scene and method of a render: all that decides the bits of a picture but for the number of
+/// samples.
 struct RenderRecord {
   std::string scene;  ///< absolute path, or builtin:NAME
   std::uint64_t scene_hash = 0;
   std::string integrator;
   std::map<std::string, std::string> parameters;  ///< all that matter, defaults too
-  /// Those that were not left at their defaults: what is not given may follow from others that are.
+  /// Parameters that were not left at their defaults.
   std::map<std::string, std::string> given;
   RenderSettings settings;
   double film_scale = 1.0;
@@ -39,11 +40,11 @@ struct MergedRun {
 
 /// Everything that a render needs to go on with the same bits, and a program to show its picture.
 struct Checkpoint {
-  std::string version;  ///< of the program that wrote it
+  std::string version;  ///< version of the program that wrote it
   RenderRecord render;
-  Features features;  ///< of the scene, for filters; may be empty
+  Features features;  ///< features of the scene, for filters; may be empty
   std::vector<LayerSpec> layers;
-  Development scales;  ///< of the film as it is
+  Development scales;  ///< scales of the film as it is
   JobState job;
   std::string integrator_state;          ///< bytes of `Integrator::save_state`
   Counters preparation;                  ///< counters of the first run

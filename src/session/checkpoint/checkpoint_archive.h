@@ -3,7 +3,7 @@
 #include "session/checkpoint/checkpoint.h"
 #include "session/options/render_options.h"
 
-/// How the parts of a checkpoint are written and read. Whoever changes this must raise
+/// Archives of the parts of a checkpoint. Whoever changes this must raise
 /// `kCheckpointFormat`.
 namespace ajar {
 

@@ -17,7 +17,7 @@ namespace ajar {
 
 namespace {
 
-/// What the command line and scenes allow.
+/// Bounds of the command line and of scenes.
 constexpr int kMostEdges = 1000001;
 /// Far beyond any light, and far from where powers of two end.
 constexpr double kLargestMagnitude = 1e100;

@@ -10,7 +10,7 @@ struct Exposure {
   bool operator==(const Exposure&) const = default;
 };
 
-/// How pictures for the eye are shown, whatever their light.
+/// Display settings of pictures for the eye.
 struct Display {
   ToneMap tone_map = ToneMap::Srgb;
   Exposure exposure;

@@ -40,10 +40,10 @@ enum class OptionGroup { Scene, Pictures, Stop, Method, Safety, Program };
 /// are to have it), its row in `render_options`, and the code that uses it: command line, C,
 /// Python, checkpoints, statistics and the reference loop over the table.
 struct RenderOption {
-  std::string name;  ///< of the member: in settings of programs, checkpoints and statistics
+  std::string name;  ///< name of the member in settings of programs, checkpoints and statistics
   SpecMember member;
   std::string help{};            ///< one line
-  std::string default_text{};    ///< what holds without it
+  std::string default_text{};    ///< text for the value without it
   bool in_settings = false;      ///< programs have it (include/ajar/settings.h)
   bool is_kept = false;          ///< by checkpoints, for who goes on
   bool decides_picture = false;  ///< its bits: who goes on must have the same
@@ -54,7 +54,7 @@ struct RenderOption {
   std::string flags{};       ///< "-o,--output"; empty: none
   std::string value_name{};  ///< "FILE"; empty: it takes no value
   OptionGroup group = OptionGroup::Program;
-  unsigned commands = 0;  ///< that have it
+  unsigned commands = 0;  ///< commands that have it
   bool may_repeat = false;
   bool may_be_empty = false;           ///< an empty text is as if it were not given, else a mistake
   std::string excludes{};              ///< another one

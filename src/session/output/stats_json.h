@@ -26,10 +26,10 @@ struct RenderStatistics {
   RenderRecord render;  ///< its scene as the user calls it
   StepTimes times;
   RenderResult result;
-  Counters preparation;                        ///< what was spent before the first pass
+  Counters preparation;                        ///< counts before the first pass
   bool prepared = true;                        ///< false: there was no time for it
   std::string resumed_from;                    ///< file; empty: this run began anew
-  std::uint32_t resumptions = 0;               ///< of the whole render
+  std::uint32_t resumptions = 0;               ///< count over the whole render
   std::uint32_t interruptions = 0;             ///< by signals
   int ranks = 1;                               ///< processes that rendered together
   std::shared_ptr<const MethodReport> report;  ///< null: nothing is told

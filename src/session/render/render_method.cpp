@@ -138,7 +138,7 @@ void make_filter(RenderState& state) {
     return known.empty() ? trace_features(scene, settings, progress, roughly) : known;
   };
   state.filter = std::make_shared<PictureFilter>(std::move(denoiser), look);
-  // Those who merge checkpoints have no scene to look at.
+  // A merge of checkpoints has no scene to look at.
   if (state.order.spec.checkpoint.empty() || !state.has_begun) return;
   const int before = state.interrupts;
   state.filter->know_features(settings.crop.size() + Vec2i(1, 1),

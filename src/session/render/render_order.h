@@ -29,11 +29,11 @@ struct RenderOrder {
   /// Where to go on. With a request, too, it must be of the same render.
   std::optional<Checkpoint> resumed;
   std::string resumed_from;  ///< its file
-  /// Of the checkpoint to be written (`lock_checkpoint_of`).
+  /// Lock of the checkpoint to be written (`lock_checkpoint_of`).
   std::optional<FileLock> lock;
 
   double show_every = kNever;  ///< seconds between `RenderEvents::picture`
-  Ranks* ranks = nullptr;      ///< who render together; null: this process alone
+  Ranks* ranks = nullptr;      ///< processes that render together; null: this process alone
   /// Counts who wants it to stop, beside `Render::stop`, which adds to it: signals, say. Null: that
   /// alone.
   InterruptCount* interrupts = nullptr;

@@ -22,7 +22,7 @@ void change_film(const RenderOrder& order, desc::SceneDesc& description);
 /// Raises UsageError for what cannot be, SceneError if that is the scene's fault.
 RenderPlan make_plan(const RenderOrder& order, const desc::SceneDesc& description);
 
-/// Of a film with these layers and what hangs on it.
+/// Memory of a film with these layers and its buffers.
 MemoryEstimate memory_of(const RenderPlan& plan, const RenderOrder& order,
                          const std::vector<LayerSpec>& layers);
 

@@ -8,7 +8,7 @@ namespace ajar {
 
 namespace {
 
-/// What is known once it is clear what is rendered.
+/// Statistics that are known once the scene is.
 RenderStatistics first_statistics(const RenderState& state) {
   RenderStatistics statistics;
   const RenderOrder& order = state.order;
