@@ -21,13 +21,12 @@ struct ChainRunner::Run {
   void deposit(std::span<const Splat> splats, double weight, double scalar) const {
     if (weight > 0.0) sink.deposit(splats, weight / (scalar + independent_density));
   }
-  void count(const Proposal& proposal, bool independent, double acceptance, double cap) {
+  void count(const Proposal& proposal, double acceptance) {
     ++statistics.steps;
     if (!proposal.move) return;
     statistics.moves[*proposal.move].count(proposal, acceptance);
     for (const Candidate& candidate : proposal.candidates) {
       statistics.count(candidate, {chain.seed, chain.step});
-      if (independent) statistics.large_steps.add(std::min(candidate.scalar, cap));
     }
   }
 };
@@ -47,7 +46,7 @@ void ChainRunner::make_step(Run& run) {
     if (chosen == candidates.size() && u < moves) chosen = i;
   }
   moves = std::min(1.0, moves);
-  run.count(proposal, independent, moves, cap_);
+  run.count(proposal, moves);
   run.sink.proposed(kernel_.current(), moves);
 
   run.current_weight += 1.0 - moves;

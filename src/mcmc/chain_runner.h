@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -24,10 +23,8 @@ class DepositSink {
 /// Runs Markov chains in any space: the only place where proposals are accepted and rejected.
 class ChainRunner {
  public:
-  /// `kernel` must outlive it. `cap` bounds an independent candidate's contribution to the
-  /// statistics of b.
-  explicit ChainRunner(Kernel& kernel, double cap = std::numeric_limits<double>::infinity())
-      : kernel_(kernel), moves_(kernel.moves()), cap_(cap) {}
+  /// `kernel` must outlive it.
+  explicit ChainRunner(Kernel& kernel) : kernel_(kernel), moves_(kernel.moves()) {}
 
   /// Makes `steps` steps of a chain that the kernel is at. A step deposits its proposal with weight
   /// a, the probability to accept it, and the current state with 1 − a, each over its I ("expected
@@ -56,7 +53,6 @@ class ChainRunner {
 
   Kernel& kernel_;
   std::span<const Move> moves_;
-  double cap_;
 };
 
 }  // namespace ajar

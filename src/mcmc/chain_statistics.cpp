@@ -60,7 +60,6 @@ ChainStatistics& ChainStatistics::operator+=(const ChainStatistics& other) {
   discarded_negative += other.discarded_negative;
   if (!first_discarded) first_discarded = other.first_discarded;
   longest_streak = std::max(longest_streak, other.longest_streak);
-  large_steps += other.large_steps;
   return *this;
 }
 

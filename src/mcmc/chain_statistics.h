@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "mcmc/kernel.h"
-#include "mcmc/moments.h"
 
 namespace ajar {
 
@@ -73,8 +72,6 @@ struct ChainStatistics {
   std::uint64_t discarded_negative = 0;
   std::optional<ChainPlace> first_discarded;
   std::uint64_t longest_streak = 0;  ///< longest streak of rejections
-  /// I of all independent candidates, up to a cap: with these b can be refined.
-  Moments large_steps;
 
   /// A candidate of the step at `place`.
   void count(const Candidate& candidate, const ChainPlace& place);
@@ -86,7 +83,7 @@ struct ChainStatistics {
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(moves, steps, zero, discarded_nan, discarded_infinite, discarded_negative,
-            first_discarded, longest_streak, large_steps);
+            first_discarded, longest_streak);
   }
 };
 

@@ -74,7 +74,7 @@ MethodReport ChainReporter::report() const {
     }
     by_depth.push_back({{"depth", depth},
                         {"chains", group.chains_},
-                        {"mutations", group.plain_ + own.steps},
+                        {"mutations", own.steps},
                         {"acceptance", all.acceptance()}});
     const double error = std::sqrt(group.b_variance_);
     b.push_back({{"depth", depth},

@@ -25,8 +25,6 @@ class ChainReporter {
     void add_chain(const ChainRecord& record);
     /// Adds a finished chain.
     void add_retired(const ChainRecord& record) { record_.add(record); }
-    /// Samples that stand for mutations.
-    void add_plain(std::uint64_t samples) { plain_ += samples; }
 
    private:
     friend class ChainReporter;
@@ -34,7 +32,6 @@ class ChainReporter {
     std::span<const Move> moves_;
     ChainRecord record_;
     std::uint64_t chains_ = 0;
-    std::uint64_t plain_ = 0;
     double b_ = 0.0;
     double b_variance_ = 0.0;
   };

@@ -75,20 +75,20 @@ void count_steps(std::uint64_t origin, const ChainStatistics& statistics, const 
 
 void check_record(const ChainRecord& record, const PathGroup& group, std::size_t moves) {
   const std::size_t counted = record.by_technique.size();
-  require(counted == 0 || counted == group.choice.size(), "a chain does not fit its population");
+  require(counted == 0 || counted == group.choice.size(),
+          "corrupt checkpoint: a chain does not fit its population");
   const ChainStatistics& statistics = record.statistics;
-  require(statistics.moves.size() <= moves, "chains cannot have made such steps");
+  require(statistics.moves.size() <= moves, "corrupt checkpoint: unknown moves of chains");
   check_counts(statistics.moves);
   check_counts(record.by_technique);
-  require(is_sum(statistics.large_steps.sum) && is_sum(statistics.large_steps.sum_of_squares),
-          "samples of chains cannot be");
 }
 
 void check_member(const MemberChain& member, const PathGroup& group, double most_steps) {
   check_record(member.record, group);
   const PrimaryChain& chain = member.chain;
-  require(static_cast<double>(chain.step) <= most_steps, "a chain has made too many steps");
-  require(chain.numbers.can_be_after(chain.step), "a chain has numbers that cannot be");
+  require(static_cast<double>(chain.step) <= most_steps,
+          "corrupt checkpoint: too many steps of a chain");
+  require(chain.numbers.can_be_after(chain.step), "corrupt checkpoint: invalid numbers of a chain");
   require(chain.step_scale > 0.F && chain.step_scale <= StepSizes::kLargest,
           "steps of a chain cannot be that long");
   require(member.weight != 0.0 && std::isfinite(member.weight), "a chain weighs nothing");

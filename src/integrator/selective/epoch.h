@@ -6,16 +6,16 @@
 
 namespace ajar {
 
-/// The samples per pixel between two joins of recruits, and what they weigh in the mean of what
-/// chains make; where there are no recruits, all of them, with a weight of one.
+/// Samples per pixel between two merges of seeds into the chains, and their weight in the mean of
+/// the chains' picture.
 ///
-/// Between joins, b and the seeds are as good as the samples behind them, whatever the chains do
-/// with them. So what a stretch adds to the mean weighs as much as these samples: a firefly found
-/// early would otherwise count as if it were found in every stretch.
+/// Between merges, b and the seeds are as good as the samples behind them, whatever the chains do
+/// with them. So an epoch weighs as much in the mean as these samples: a firefly found early would
+/// otherwise count as if it were found in every epoch.
 class Epoch {
  public:
   std::uint64_t begin() const { return begin_; }
-  /// 0 where there are no recruits.
+  /// 0 without chains.
   std::uint64_t end() const { return end_; }
   double sample_weight() const { return sample_weight_; }
   /// Weight of the first `samples` samples, not fewer than `begin`, with the present weight from
@@ -24,7 +24,7 @@ class Epoch {
     return weight_before_ + sample_weight_ * static_cast<double>(samples - begin_);
   }
 
-  /// The next stretch, from the end of this one.
+  /// Begins the next epoch at the end of this one.
   void go_on(std::uint64_t end, double sample_weight) {
     weight_before_ = weight_until(end_);
     begin_ = end_;
@@ -32,8 +32,8 @@ class Epoch {
     sample_weight_ = sample_weight;
   }
 
-  /// For what is read from an archive: whether it can be the stretch of a render with so many
-  /// samples. `replicates`: 0 where there are no recruits.
+  /// Tests whether an epoch that was read can be that of a render with so many samples.
+  /// `replicates`: 0 without chains.
   bool can_be_at(std::uint64_t samples, std::uint64_t replicates) const {
     if (!(sample_weight_ >= 0.0 && std::isfinite(sample_weight_))) return false;
     if (!(weight_before_ >= 0.0 && std::isfinite(weight_before_))) return false;

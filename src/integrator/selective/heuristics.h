@@ -197,7 +197,7 @@ struct SelectiveHeuristics {
   /// Unit: chains of a replicate. Range: >= kFewestChains. Source: ccdfc72, for memory.
   static constexpr std::uint64_t kMostExpectedChains = 8192;
 
-  // -------------------------------------------------------- recruits
+  // -------------------------------------------------------- seeds
   /// What chains make of a picture is at least this share of it, as far as memory is concerned.
   /// Unit: share of the brightness. Range: (0, 1]. Source: e243d5c; set by hand, no study.
   static constexpr double kLeastShareOfChains = 0.02;

@@ -105,7 +105,7 @@ void SampleAllocation::save_state(OutputArchive& archive) const {
 void SampleAllocation::load_state(InputArchive& archive, std::uint64_t samples) {
   archive(adjusted_, since_, before_, correlation_, chain_error_, known_);
   const double most = std::max(prepared_.mutations, SelectiveHeuristics::kMostMutations);
-  // Where a sum of many stretches is rounded.
+  // Where a sum over many epochs is rounded.
   constexpr double kRounding = 1.0 + 1e-6;
   const bool can_be = adjusted_ == 0.0 || adjusted_ == clamp_mutations(adjusted_);
   if (!can_be || since_ > samples || !(before_ >= 0.0) ||

@@ -146,7 +146,7 @@ std::uint64_t TechniquePilot::begin() {
   const auto count = static_cast<std::uint64_t>(
       std::ceil(static_cast<double>(all) * share_of_picture(prepared_.config)));
   for (std::uint64_t i = 0; i < count; ++i) {
-    // One of each stretch, so that they lie all over the picture.
+    // One tile of each of `count` equal ranges, so that they lie all over the picture.
     const std::uint64_t first = i * all / count;
     const std::uint64_t last = (i + 1) * all / count;
     tiles_.push_back(first +

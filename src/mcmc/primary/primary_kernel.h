@@ -1,5 +1,4 @@
 #pragma once
-#include <limits>
 #include <vector>
 
 #include "mcmc/kernel.h"
@@ -21,8 +20,6 @@ struct PrimarySettings {
   /// Proposals of a step (`SeveralTries`). Steps that need not be symmetric have one nevertheless:
   /// those of the raster numbers alone, and those that follow the image plane.
   int tries = 1;
-  /// Cap on a large step's contribution to the statistics of b.
-  double large_step_cap = std::numeric_limits<double>::infinity();
 };
 
 /// Steps in primary sample space (Kelemen et al. 2002): moves of the vector of uniform numbers that

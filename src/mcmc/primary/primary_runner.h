@@ -12,8 +12,7 @@ class PrimaryRunner {
   /// As `PrimaryKernel` has it.
   PrimaryRunner(const PrimarySettings& settings, const Mutation& mutation,
                 const PrimaryShape& shape, Target& target, const PlaneMoves* plane = nullptr)
-      : kernel_(settings, mutation, shape, target, plane),
-        runner_(kernel_, settings.large_step_cap) {}
+      : kernel_(settings, mutation, shape, target, plane), runner_(kernel_) {}
   PrimaryRunner(const PrimaryRunner&) = delete;
   PrimaryRunner& operator=(const PrimaryRunner&) = delete;
 
