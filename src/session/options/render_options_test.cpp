@@ -22,7 +22,9 @@ TEST(RenderOptions, HaveNamesOfTheirOwnAndHelp) {
   for (const RenderOption& option : render_options()) {
     EXPECT_TRUE(names.insert(option.name).second) << option.name;
     EXPECT_FALSE(option.help.empty()) << option.name;
-    if (!option.flags.empty()) EXPECT_TRUE(flags.insert(option.flags).second) << option.flags;
+    if (!option.flags.empty()) {
+      EXPECT_TRUE(flags.insert(option.flags).second) << option.flags;
+    }
     EXPECT_TRUE(option.in_settings || !option.flags.empty()) << option.name << " cannot be given";
   }
 }
@@ -31,7 +33,9 @@ TEST(RenderOptions, OfAnEmptySpecificationAreNotGivenAndCanBe) {
   const RenderSpec empty;
   for (const RenderOption& option : render_options()) {
     EXPECT_FALSE(is_given(option, empty)) << option.name;
-    if (option.check) EXPECT_NO_THROW(option.check(empty, option.name)) << option.name;
+    if (option.check) {
+      EXPECT_NO_THROW(option.check(empty, option.name)) << option.name;
+    }
   }
 }
 
