@@ -77,7 +77,6 @@ TEST(MergedSeeds, HaveTheExpectationOfOneLongRender) {
     options.integrator = integrator;
     options.replicates = 8;
     options.max_depth = 6;
-    if (test::has_parameter(integrator, "bootstrap")) options.parameters["bootstrap"] = "20000";
     options.samples = 512;
     options.seed = 99;
     const test::Render whole = test::render(room(), options);

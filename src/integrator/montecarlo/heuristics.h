@@ -34,9 +34,9 @@ struct MonteCarloHeuristics {
   /// and double not told from it.
   static constexpr std::uint32_t kFeatureSamples = 16;
 
-  // Camera samples that look for paths beyond the techniques: effects of less than a thousandth of
-  // the picture may go unnoticed.
-  // Unit: samples. Range: >= 1. Source: set by hand, no study.
+  /// Camera samples that look for paths beyond the techniques: effects of less than a thousandth of
+  /// the picture may go unnoticed.
+  /// Unit: samples. Range: >= 1. Source: set by hand, no study.
   static constexpr std::uint32_t kLookingAround = 4096;
   /// Glass of so many edges is looked through.
   /// Unit: edges. Range: >= 4. Source: set by hand; double names the same lamps in eighteen scenes.
