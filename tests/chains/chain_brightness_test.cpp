@@ -130,7 +130,8 @@ TEST_P(OverSeeds, BrightnessScattersWithinErrorBars) {
   options.replicates = 8;
   options.max_depth = 6;
   // Chains of explicit paths, and those without ordinary Monte Carlo, scatter twice as much.
-  const bool scatters = has_rare_caustics || GetParam() == "mlt" || GetParam() == "erpt";
+  const bool scatters =
+      has_rare_caustics || GetParam() == "mlt" || GetParam() == "erpt" || GetParam() == "masked";
   options.samples = scatters ? 40 : 16;
   options.integrator = GetParam();
   if (test::has_parameter(GetParam(), "bootstrap")) {

@@ -197,15 +197,16 @@ TEST(SeedReservoir, BrightFindsStartManyChains) {
   const auto prepared =
       prepared_for(*scene, settings, {{"chain", "mmlt"}, {"techniques", "bdpt"}}, 1.0);
   SeedReservoir reservoir(*prepared);
-  reservoir.set_initial_rate(4.0);
+  reservoir.set_initial_rate(0.0);  // all are kept
+  prepared->mutations = 1000.0;
   const auto omc = omc_of(*prepared, reservoir);
   Film film = film_of(*prepared, *omc);
   Counters counters;
   // One tile, whose few finds stand for all chains.
-  omc->run_item(0, 0, 4, film, counters);
+  omc->run_item(omc->items_in_round() / 2, 0, 1, film, counters);
   std::vector<ChainPopulation> populations =
       make_populations<ChainPopulation>(prepared->groups(), 1, 1);
-  reservoir.merge(populations, 0, 4);
+  reservoir.merge(populations, 0, 1);
   std::size_t chains = 0;
   std::set<std::uint64_t> seeds;
   std::set<std::uint64_t> origins;
