@@ -104,7 +104,9 @@ class Base {
     spec.parameters = method_.parameters;
     spec.samples_per_pixel = samples;
     spec.max_depth = 5;
-    spec.layers = {"object-id", "standard-error"};
+    spec.layers = {"standard-error"};
+    // Chains that make all light do not see surfaces.
+    if (std::string_view(method_.integrator) != "mmlt") spec.layers.push_back("object-id");
     order.spec.threads = 1;
     return order;
   }

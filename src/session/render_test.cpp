@@ -249,7 +249,10 @@ RenderOrder selective_order(bool prepared = true) {
   RenderOrder order = small_order();
   order.spec.integrator = "selective";
   order.spec.max_depth = 3;
-  if (!prepared) order.spec.parameters = {{"pilot-samples", "400"}};
+  if (!prepared) {
+    order.spec.parameters = {{"pilot", "discard"}};
+    order.spec.resolution = {200, 150};
+  }
   return order;
 }
 
@@ -495,7 +498,7 @@ TEST(Render, WritesFilesAndGoesOn) {
   RenderOrder whole = selective_order(false);
   whole.spec.samples_per_pixel = 16;
   const std::vector<float> expected = rendered(std::move(whole));
-  for (const std::uint64_t samples : {16, 1024}) {
+  for (const std::uint64_t samples : {16, 64}) {
     RenderOrder more;
     more.spec.samples_per_pixel = samples;
     resume_from(of_few, more);
@@ -510,7 +513,7 @@ TEST(Render, WritesFilesAndGoesOn) {
   }
   Listener listener;
   RenderOrder enough = selective_order(false);
-  enough.spec.samples_per_pixel = 1024;
+  enough.spec.samples_per_pixel = 64;
   Render render(std::move(enough), listener);
   EXPECT_TRUE(render.run().statistics.prepared) << "what was not to be gone back on";
   fs::remove_all(folder);

@@ -39,7 +39,7 @@ void render_with_checkpoints(const Scene& scene, const std::string& integrator_n
   settings.max_depth = 4;
   std::map<std::string, std::string> parameters;
   // The default bootstrap takes longer than a render lives.
-  if (integrator_name != "pt") parameters["bootstrap"] = "2000";
+  if (integrator_name.ends_with("mlt")) parameters["bootstrap"] = "2000";
   const auto integrator = info.make(scene, settings, info.read(parameters));
   prepare(*integrator);
   Film film = film_for(scene, settings, *integrator);
