@@ -123,15 +123,15 @@ class OverSeeds : public ::testing::TestWithParam<std::string> {};
 TEST_P(OverSeeds, BrightnessScattersWithinErrorBars) {
   constexpr int kSeeds = 100;
   // Published chains know b from the bootstrap alone, to which caustics are rare.
-  const bool has_rare_caustics = GetParam() == "mmlt" || GetParam() == "pssmlt";
+  const bool has_rare_caustics =
+      GetParam() == "mmlt" || GetParam() == "pssmlt" || GetParam() == "masked";
   const auto scene =
       test::scene_from(small_scene(has_rare_caustics ? "Room" : "NestedDielectrics").text);
   test::RenderOptions options;
   options.replicates = 8;
   options.max_depth = 6;
   // Chains of explicit paths, and those without ordinary Monte Carlo, scatter twice as much.
-  const bool scatters =
-      has_rare_caustics || GetParam() == "mlt" || GetParam() == "erpt" || GetParam() == "masked";
+  const bool scatters = has_rare_caustics || GetParam() == "mlt" || GetParam() == "erpt";
   options.samples = scatters ? 40 : 16;
   options.integrator = GetParam();
   if (test::has_parameter(GetParam(), "bootstrap")) {
