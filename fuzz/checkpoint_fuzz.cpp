@@ -85,7 +85,7 @@ class Base {
 
   const std::vector<char>& bytes() const { return bytes_; }
 
-  /// As `ajar render --resume` does, for a few samples.
+  /// Resumes like `ajar render --resume`, for a few samples.
   void go_on(Checkpoint checkpoint) const {
     RenderOrder order = render_until(checkpoint.job.samples_per_pixel + 8);
     order.resumed = std::move(checkpoint);

@@ -31,7 +31,7 @@ struct Progress {
 /// may be empty.
 struct Callbacks {
   std::function<void(const Progress&)> progress;  ///< after each pass
-  /// As it is; at first, a rough look of 0 samples per pixel, which has no other layers.
+  /// The picture so far; at first, a rough look of 0 samples per pixel, which has no other layers.
   std::function<void(const Picture&)> picture;
   double picture_every = 1.0;  ///< seconds, at least; from 0 on
   std::function<void(const std::string&)> warning;

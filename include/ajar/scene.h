@@ -29,7 +29,7 @@ class Scene {
   /// Another scene, which is this one with changes. Raises Error.
   Scene changed(const std::string& changes, std::span<const Array> arrays = {}) const;
 
-  /// As it was loaded, or described.
+  /// Name of the file, of the built-in scene or of the description.
   const std::string& name() const;
   // Size of the scene's picture, pixels.
   int width() const;

@@ -10,7 +10,7 @@
 
 #include "ajar/ajar.h"
 
-// As a program of others sees the library: no header but its own.
+// The library as a program of others sees it: no header but its own.
 namespace {
 
 ajar::Settings small_settings() {

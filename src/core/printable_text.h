@@ -11,7 +11,7 @@ namespace ajar {
 /// "\u202e", bytes that are no UTF-8 as "\xff". A text that says "\x1b" by itself looks the same.
 std::string printable_text(std::string_view text);
 
-/// As one line, for names and cells of tables: line feeds and tabs become "
+/// One line of text, for names and cells of tables: line feeds and tabs become "
 /// " and "\t".
 std::string printable_line(std::string_view text);
 

@@ -113,7 +113,7 @@ using FloatLanes [[gnu::vector_size(32)]] = float;
 using Bytes [[gnu::vector_size(32)]] = std::uint8_t;
 using Hashes [[gnu::vector_size(32)]] = std::uint64_t;
 
-/// As mix_bits.
+/// Vector form of mix_bits.
 Hashes mix_lanes(Hashes v) {
   v ^= v >> 30U;
   v *= 0xbf58476d1ce4e5b9ULL;
@@ -122,7 +122,7 @@ Hashes mix_lanes(Hashes v) {
   return v ^ v >> 31U;
 }
 
-/// As reverse_bits.
+/// Vector form of reverse_bits.
 Lanes reverse_lanes(Lanes v) {
   const auto mixed = std::bit_cast<Bytes>(v);
   const Bytes bytes =
@@ -181,7 +181,7 @@ SobolPads sobol_pads(std::uint32_t index, const std::array<std::uint64_t, kSobol
   point ^= (point & kOfY & 0xff00ff00U) >> 8U;
   point ^= (point & kOfY & 0xffff0000U) >> 16U;
   const Lanes bits = reverse_lanes(scramble_reversed(point, scramble));
-  // As to_unit_float, but signed: there is no vector instruction for unsigned numbers.
+  // Vector form of to_unit_float, but signed: there is no vector instruction for unsigned numbers.
   const SignedLanes fractions = std::bit_cast<SignedLanes>(bits) >> 8 & 0xffffff;
   const FloatLanes values = __builtin_convertvector(fractions, FloatLanes) * 0x1p-24F;
   SobolPads pads;

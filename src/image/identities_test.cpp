@@ -44,7 +44,7 @@ TEST(MajorityNumbers, AreTheMostFrequentNumbers) {
 }
 
 TEST(MajorityNumbers, AreThoseOfNothingWhereTheFilmHoldsNone) {
-  // As a checkpoint of a stranger may have it: halves, less than nothing, and beyond any number.
+  // Numbers that a corrupt checkpoint may have: halves, less than nothing, and beyond any number.
   for (const std::int64_t sum :
        {std::int64_t{1} << 23, -(std::int64_t{1} << 60), std::int64_t{1} << 60}) {
     Film film = make_film({"object-id"});

@@ -42,7 +42,7 @@ class ImageInput {
     const std::size_t row =
         static_cast<std::size_t>(header().width) * static_cast<std::size_t>(channels);
     values.reserve(row * static_cast<std::size_t>(header().height));
-    // As the file gives them: memory that was only reserved is not in use yet.
+    // Bytes come as the file gives them: memory that was only reserved is not in use yet.
     for (int y = 0; y < header().height; y += strip_height()) {
       const int rows = std::min(strip_height(), header().height - y);
       const std::size_t first = values.size();

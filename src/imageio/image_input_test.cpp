@@ -239,7 +239,7 @@ TEST_F(ImageInputTest, IsAskedForFloatsOrWhatTheFileHas) {
 }
 
 TEST_F(ImageInputTest, FlatPicturesAreBelieved) {
-  // As small as files of so many pixels get.
+  // The smallest files of so many pixels.
   constexpr int kFlat = 1000;
   const auto flat = [](int channels, auto value) {
     return testing::TestImage<decltype(value)>{

@@ -123,7 +123,7 @@ TEST_F(AtomicFile, WriteProtectedFilesStayAsTheyAre) {
   write(path("a.txt"), "one");
   fs::permissions(path("a.txt"), fs::perms::owner_read | fs::perms::others_read);
   fs::permissions(path("."), fs::perms::all);
-  // As a user without permission.
+  // A user without permission.
   const pid_t child = fork();
   if (child == 0) {
     constexpr uid_t kNobody = 65534;

@@ -224,7 +224,7 @@ class Inverter {
       walk.throughput *= sample->weight;
       if (walk.mode == TransportMode::Radiance) walk.roulette_scale *= sample->eta * sample->eta;
     }
-    // As in transport's `scatter`.
+    // Counterpart of transport's `scatter`.
     const bool is_long = walk.edges >= settings_.roulette_start;
     const bool is_efficient = walk.stream == Stream::Camera && settings_.camera_rest > 0.F &&
                               walk.edges >= TransportHeuristics::kEfficientRouletteStart;

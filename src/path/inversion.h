@@ -12,7 +12,7 @@ namespace ajar {
 /// fresh ones.
 class PathPrimaries final : public SampleSource {
  public:
-  /// As many vertices as the technique has on either side, all numbers as `fresh`, which must
+  /// Vertices of the technique on either side, all numbers as `fresh`, which must
   /// outlive this, has them.
   PathPrimaries(Technique technique, SampleSource& fresh);
 

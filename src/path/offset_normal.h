@@ -29,7 +29,7 @@ struct OffsetNormal {
 /// The shading normal n, before bumps.
 Vec3d normal_before_bumps(const InnerVertex& vertex);
 
-/// As a unit vector of the world; empty if {x, y} is not within the unit circle.
+/// Unit vector of the world; empty if {x, y} is not within the unit circle.
 std::optional<Vec3d> facet_normal(const InnerVertex& vertex, const OffsetNormal& offset);
 
 /// Index of refraction on the far side of a rough surface over that on the side of `w`; 1 if light

@@ -70,7 +70,7 @@ class Canvas {
 Spectrum density_color(float t) {
   const float s = std::clamp(t, 0.F, 1.F);
   const float lightness = 0.25F + 0.68F * s;
-  // As much chroma as the gamut has room for: 0.1 at the start and in the middle, 0.16 at the end.
+  // Chroma that fits into the gamut: 0.1 at the start and in the middle, 0.16 at the end.
   const float chroma =
       0.1F * (1.F - s) * (1.F - 2.F * s) + 0.4F * s * (1.F - s) + 0.16F * s * (2.F * s - 1.F);
   const float hue = (300.F - 190.F * s) * (kPi / 180.F);

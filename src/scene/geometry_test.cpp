@@ -210,7 +210,7 @@ TEST(SelfIntersection, InstancesFarFromTheirObjectOrigin) {
   }
 }
 
-/// As the ground of many scenes is a sphere as large as the earth.
+/// The ground of many scenes is a sphere as large as the earth.
 TEST(SelfIntersection, WhereAHugeSphereTouchesTheOrigin) {
   const double radius = 6.4e6;
   const World world = world_of(

@@ -8,7 +8,7 @@
 namespace ajar::study {
 
 std::vector<std::string> table_header(const StudyPlan& plan);
-/// As many cells as the header has.
+/// Cells, one for each of the header.
 std::vector<std::string> table_cells(const StudyPlan& plan, const StudyResult& result,
                                      const SummaryRow& row);
 /// Legend of the columns: Markdown, one paragraph.

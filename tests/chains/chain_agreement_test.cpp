@@ -137,7 +137,7 @@ const std::vector<Variant>& variants() {
   return kVariants;
 }
 
-/// As many as bring the mean's error to a half or so of what is asked for. Light that is divided
+/// Samples that bring the mean's error to a half or so of the tolerance. Light that is divided
 /// needs fewer, and chains of one path at a time most.
 int samples_of(const Variant& variant) {
   if (variant.integrator == "mmlt") return 768;

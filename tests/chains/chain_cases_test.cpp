@@ -529,7 +529,7 @@ TEST(ChainReports, GiveTheBOfPathsAnErrorBarThatCoversIt) {
     b.add(only.at("b").get<double>());
     error_variance += std::pow(only.at("standard_error").get<double>(), 2) / kSeeds;
   }
-  // As above: an error bar wrong by a factor of 1.6 is noticed.
+  // Fisher's z again: an error bar wrong by a factor of 1.6 is noticed.
   const double ratio = std::pow(b.standard_error(), 2) * kSeeds / error_variance;
   EXPECT_LT(std::abs(0.5 * std::log(ratio)), 5.0 * std::sqrt(0.5 / (kSeeds - 1)))
       << "variance ratio " << ratio;

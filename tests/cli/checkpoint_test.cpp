@@ -358,7 +358,7 @@ TEST_F(CheckpointCli, TheRestoredFolderIsUsedAgain) {
 
 TEST_F(CheckpointCli, FullDiskLeavesThePreviousCheckpoint) {
   ASSERT_EQ(render({"--spp", "8", "-o", "a.pfm", "--checkpoint", "c"}).exit_code, 0);
-  // As on a full disk: no file of the child can become longer than this.
+  // A full disk: no file of the child can become longer than this.
   const auto size = fs::file_size(folder_ / "c");
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);

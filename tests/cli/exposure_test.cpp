@@ -48,7 +48,7 @@ TEST_F(ExposureCli, AutoIsReportedStoredAndEqualToTheNumber) {
   EXPECT_EQ(statistics("b.json").at("exposure"),
             (json{{"stops", exposure.at("stops")}, {"auto", false}}));
   EXPECT_TRUE(pixels("b.png") == picture);
-  // As before, where nothing else is said.
+  // Exposure of before where nothing else is said.
   fs::remove(file("a.png"));
   EXPECT_TRUE(contains(run({"resume", "c"}).err, said));
   EXPECT_TRUE(pixels("a.png") == picture);

@@ -151,7 +151,7 @@ TEST_F(TerminalCli, ClosedTerminalDoesNotStopARender) {
 
 TEST_F(TerminalCli, StalledReaderDoesNotStopARender) {
   ASSERT_TRUE(wait_for_samples());
-  // As Ctrl-S does.
+  // Stops the output like Ctrl-S.
   const char stop = 19;
   ASSERT_EQ(write(screen_, &stop, 1), 1);
   kill(child_, SIGUSR1);

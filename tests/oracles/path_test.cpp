@@ -102,7 +102,7 @@ TEST_P(Paths, HaveTheContributionOfTheSampler) {
   }
 }
 
-/// As in chains: one half moves and the other stays, and rejected halves are restored. Against
+/// Steps of chains: one half moves and the other stays, and rejected halves are restored. Against
 /// paths that are sampled as a whole by the same numbers.
 TEST_P(Paths, AreRecordedHalfByHalf) {
   const auto scene = test::scene_from(GetParam().text);
@@ -320,7 +320,7 @@ TEST_P(Paths, SurviveAnArchive) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Paths, ::testing::ValuesIn(test::small_scenes()),
                          [](const auto& test) { return test.param.name; });
 
-/// As the sampler asks for it: directions and positions in pairs.
+/// Queries of the sampler: directions and positions in pairs.
 float number_at(SampleSource& numbers, SampleAddress address) {
   if (address.slot() > Slot::LightPositionY) return numbers.get(address);
   const auto slot = static_cast<unsigned>(address.slot());

@@ -71,7 +71,7 @@ std::vector<ReportCurve::Point> convergence(double start, double slope, double s
   return points;
 }
 
-/// As `ajar study` makes them of all metrics.
+/// Tables that `ajar study` makes of all metrics.
 ReportTable study_table() {
   return {"Equal time: 20s",
           {"method", "runs", "seconds", "CPU seconds", "samples per pixel",

@@ -324,7 +324,7 @@ TEST(Selective, HasTheSameExpectationWithAndWithoutTheSamplesOfThePilot) {
   test::RenderOptions options;
   options.max_depth = 5;
   const MeanAndError truth = truth_of(*scene, options);
-  // As many samples of the pilot as of the render.
+  // Equal samples of the pilot and of the render.
   options.samples = 4;
   options.integrator = "selective";
   // The pilot is kept from four replicates on.

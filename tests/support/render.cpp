@@ -65,7 +65,7 @@ std::vector<float> light(const Render& render, std::optional<int> replicate) {
 }
 }  // namespace
 
-/// As if time were over in the middle of a round.
+/// Cuts as if time were over in the middle of a round.
 void skip_preparation_after(int rounds, Integrator& integrator) {
   Counters counters;
   for (int round = 0; round <= rounds; ++round) {

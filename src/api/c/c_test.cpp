@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-// As programs in other languages see the library: no header but its own.
+// The library as programs in other languages see it: no header but its own.
 namespace {
 
 using Json = nlohmann::ordered_json;

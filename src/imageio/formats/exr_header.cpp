@@ -80,7 +80,7 @@ struct Part {
     tile_width = std::max(cursor.number(), 1);
     tile_height = std::max(cursor.number(), 1);
   }
-  /// As the library does: up to an empty name, whatever size is written before.
+  /// Reads up to an empty name like the library, whatever size is written before.
   void read_channels(Cursor& cursor) {
     constexpr std::int32_t kHalf = 1;
     pixel_bytes = 0.0;

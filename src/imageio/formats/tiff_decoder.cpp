@@ -283,7 +283,7 @@ class TiffColorDecoder final : public WholeImageDecoder {
   LibraryBytes decode() override {
     LibraryBytes pixels(static_cast<unsigned char*>(std::calloc(header().pixels(), 4)), std::free);
     if (!pixels) throw std::bad_alloc();
-    // As other images: whatever they say of how they are to be turned.
+    // The orientation tag is ignored, as for other formats.
     TIFFSetField(file_->get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
     if (TIFFReadRGBAImageOriented(file_->get(), static_cast<std::uint32_t>(tags_.width),
                                   static_cast<std::uint32_t>(tags_.height),

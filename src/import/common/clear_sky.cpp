@@ -12,7 +12,7 @@
 namespace ajar {
 namespace {
 
-/// As the light `sky` has them.
+/// Units of the light `sky`.
 constexpr double kLeastTurbidity = 2.0;
 constexpr double kMostTurbidity = 10.0;
 

@@ -115,7 +115,7 @@ TEST(GltfMaterials, TextureTransformsFollowTheFlippedV) {
   const double v = 0.7;
   const double expected_u = 0.1 + 2 * std::cos(angle) * u + 3 * std::sin(angle) * v;
   const double expected_v = 0.2 - 2 * std::sin(angle) * u + 3 * std::cos(angle) * v;
-  // As an `image` maps (u, 1 − v).
+  // The map of an `image` is (u, 1 − v).
   const double turned = double{image.number("rotation")} * M_PI / 180;
   const double x = double{image.number("scale_u")} * u;
   const double y = double{image.number("scale_v")} * (1 - v);

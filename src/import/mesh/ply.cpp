@@ -367,7 +367,7 @@ class PlyReader {
     }
   }
 
-  /// As many faces as are triangles with a one-byte count and native 32-bit indices, and nothing
+  /// Leading faces that are triangles with a one-byte count and native 32-bit indices, and nothing
   /// else in the record. Returns their number.
   std::uint64_t read_plain_triangles(const PlyElement& element, PlyBinaryCursor& cursor) {
     const PlyProperty& p = element.properties.front();

@@ -25,8 +25,8 @@ Vec3d mean_normal(std::span<const Vec3> corners) {
   return normal;
 }
 
-/// As seen against the normal, so that they are counterclockwise; distances along its largest axis
-/// are left out, which preserves containment.
+/// Projection seen against the normal, so that they are counterclockwise; distances along its
+/// largest axis are left out, which preserves containment.
 std::vector<Point> projected(std::span<const Vec3> corners, const Vec3d& normal) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
@@ -42,7 +42,7 @@ std::vector<Point> projected(std::span<const Vec3> corners, const Vec3d& normal)
   return points;
 }
 
-/// As seen along the normal. Takes no memory: most polygons are.
+/// Orientation seen along the normal. Takes no memory: most polygons are.
 bool is_convex(std::span<const Vec3> corners, const Vec3d& normal) {
   const std::size_t n = corners.size();
   Vec3d here(corners[n - 1]);

@@ -187,7 +187,7 @@ TEST(MitsubaMaterials, PatternsAreNumbersAsImagesAre) {
       "name=\"color0\" "
       "value=\"1 0 0\"/><rgb name=\"color1\" value=\"0 1 0\"/></texture>"
       "<bsdf type=\"dielectric\"/><bsdf type=\"null\"/></bsdf>");
-  // As numbers, checkerboards have their colours the other way round since version 2.
+  // Checkerboards of numbers have their colours the other way round since version 2.
   const desc::Node& weight = blend.texture("amount");
   EXPECT_NEAR(weight.color("second").z, luminance(Spectrum(1.F, 0.F, 0.F)), 1e-6F);
   EXPECT_NEAR(weight.color("first").x, luminance(Spectrum(0.F, 1.F, 0.F)), 1e-6F);

@@ -15,7 +15,7 @@ std::vector<std::string_view> words_of(std::string_view text);
 std::optional<double> parse_number(std::string_view text);
 std::optional<long long> parse_integer(std::string_view text);
 std::optional<bool> parse_boolean(std::string_view text);
-/// As `words_of`; nothing if one of them is no number.
+/// Numbers of `words_of`; nothing if one of them is no number.
 std::optional<std::vector<double>> parse_numbers(std::string_view text);
 /// One number for all lanes, three numbers, or "#rrggbb", of which each lane is from 0 to 1.
 std::optional<Vec3d> parse_triple(std::string_view text);

@@ -37,7 +37,7 @@ SunPosition sun_position(const SunTime& t) {
   const double ascension =
       std::atan2(std::cos(obliquity) * std::sin(longitude), std::cos(longitude));
   const double declination = std::asin(std::sin(obliquity) * std::sin(longitude));
-  // As seen from the place.
+  // Directions are seen from the place.
   const double sidereal_hours = 6.6974243242 + 0.0657098283 * days + universal_hours(t);
   const double hour_angle = (sidereal_hours * 15.0 + t.longitude) * kDegree - ascension;
   const double latitude = t.latitude * kDegree;

@@ -195,7 +195,7 @@ desc::Node TextureTable::bitmap(Arguments& arguments, Role role) {
 
 desc::Node TextureTable::checkerboard(Arguments& arguments, Role role) {
   desc::Node node(*desc::find_model(desc::ModelKind::Texture, "checkerboard"));
-  // As a number, Mitsuba's has its colours the other way round since version 2.
+  // Mitsuba's checkerboard of numbers has its colours the other way round since version 2.
   const bool is_exchanged = role != Role::Color && context_.document.major_version != 0;
   node.set(is_exchanged ? "second" : "first", color(arguments, "color0", desc::Rgb(0.4F)));
   node.set(is_exchanged ? "first" : "second", color(arguments, "color1", desc::Rgb(0.2F)));

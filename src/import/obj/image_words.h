@@ -20,8 +20,8 @@ struct ImageWords {
 };
 ImageWords image_words(std::string_view text);
 
-/// As tinyobjloader reads it: with three numbers for `-o` and `-s`, without options that have no
-/// effect; the channel of alpha, "m", is "a".
+/// Options in the form of tinyobjloader: with three numbers for `-o` and `-s`, without options that
+/// have no effect; the channel of alpha, "m", is "a".
 std::string in_full(const ImageWords& words);
 
 /// True if an image follows such a word.

@@ -112,8 +112,8 @@ class Writer {
                  [&](std::size_t point, bool) { out_.number(grid.values[point]); });
   }
 
-  /// As pbrt-v4 does. A coefficient that does not vary is 1 there, which leaves `scale`; coloured
-  /// ones become a grid.
+  /// Writes media like pbrt-v4. A coefficient that does not vary is 1 there, which leaves `scale`;
+  /// coloured ones become a grid.
   void write_colors(const desc::Medium& medium) {
     const desc::DensityGrid& grid = *medium.density->grid;
     const desc::Rgb* constant = grid.absorption.empty()   ? &medium.sigma_a

@@ -40,7 +40,7 @@ double mean_reflectance(double ior) {
 }
 
 double mean_internal_reflectance(double ior) {
-  // As much light comes through either way, if it fills all directions (reciprocity).
+  // Equal light comes through either way, if it fills all directions (reciprocity).
   return std::clamp(1.0 - (1.0 - mean_reflectance(ior)) / (ior * ior), 0.0, 1.0);
 }
 

@@ -362,7 +362,7 @@ void PrimitiveReader::read_instances(const ObjectReader& object, const Mat4& tra
   const LocatedJson* list = object.find({"instances", "instancesA"});
   object.report_unknown();
   if (list == nullptr) return;
-  // As a copy is never scaled, so is their common transform.
+  // Copies are never scaled, and neither is their common transform.
   const Mat4 turn = without_scale(transform, false);
   std::size_t lost = 0;
   for (const Placed& placed : read_placed(context_, *list)) {

@@ -158,7 +158,6 @@ class MaskedIntegrator final : public Integrator {
   /// Rounds of the preparation; those of the chains follow.
   enum Round : int { kFindRegions, kRunPilot, kSeedChains };
 
-  RenderSettings omc_settings() const;
   Parameters omc_parameters() const {
     return {path_family_parameters(path_family_defaults(parameters_.get_text("omc"))), {}};
   }
@@ -228,7 +227,7 @@ PreparationRound MaskedIntegrator::begin_preparation(int round) {
   const bool keeps = parameters_.get_text("pilot") == "keep";
   const auto samples = static_cast<double>(pilot_samples_);
   if (round == kFindRegions) {
-    surface_pilot_ = std::make_unique<SurfacePilot>(scene_, omc_settings());
+    surface_pilot_ = std::make_unique<SurfacePilot>(scene_, beside_chains(settings_));
     return {.items = surface_pilot_->begin(),
             .effort = surface_pilot_->effort(),
             .later_effort = samples + chain_effort(),
@@ -280,21 +279,14 @@ double MaskedIntegrator::chain_effort() const {
          (static_cast<double>(size.x) * static_cast<double>(size.y));
 }
 
-RenderSettings MaskedIntegrator::omc_settings() const {
-  RenderSettings own = settings_;
-  std::erase_if(own.aovs, [](const std::string& name) {
-    return is_chain_layer(name) || name == "techniques";
-  });
-  return own;
-}
-
 void MaskedIntegrator::make_omc(const Divisions* mask) {
-  omc_ = make_path_integrator(scene_, omc_settings(), omc_parameters(), {.divisions = mask});
+  omc_ =
+      make_path_integrator(scene_, beside_chains(settings_), omc_parameters(), {.divisions = mask});
 }
 
 /// RunOMC(direct → image1, indirect → image2)
 void MaskedIntegrator::begin_pilot() {
-  RenderSettings own = omc_settings();
+  RenderSettings own = beside_chains(settings_);
   if (parameters_.get_text("pilot") == "discard") {
     own.seed = hash_numbers(own.seed, RandomUse::DivisionPilot);
     own.aovs.clear();

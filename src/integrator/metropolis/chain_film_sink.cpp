@@ -4,6 +4,13 @@
 
 namespace ajar {
 
+RenderSettings beside_chains(RenderSettings settings) {
+  std::erase_if(settings.aovs, [](const std::string& name) {
+    return is_chain_layer(name) || name == "techniques";
+  });
+  return settings;
+}
+
 void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::string>& aovs) {
   for (const std::string& name : {kDensityLayer, kAcceptanceLayer}) {
     if (std::find(aovs.begin(), aovs.end(), name) != aovs.end()) {

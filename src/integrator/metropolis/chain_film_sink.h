@@ -16,6 +16,8 @@ inline const std::string kAcceptanceLayer = "acceptance";
 inline bool is_chain_layer(const std::string& name) {
   return name == kDensityLayer || name == kAcceptanceLayer;
 }
+/// Settings of ordinary Monte Carlo beside chains: without the layers that it does not make there.
+RenderSettings beside_chains(RenderSettings settings);
 /// Adds the requested ones.
 void add_chain_layers(std::vector<LayerSpec>& specs, const std::vector<std::string>& aovs);
 

@@ -3,7 +3,7 @@
 namespace ajar {
 
 namespace {
-/// As pbrt has it, over all depths and replicates.
+/// pbrt's default, over all depths and replicates.
 constexpr const char* kChains = "1000";
 }  // namespace
 

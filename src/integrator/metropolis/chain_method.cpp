@@ -15,7 +15,7 @@
 namespace ajar {
 
 namespace {
-/// As pbrt has it, over all depths and replicates.
+/// pbrt's default, over all depths and replicates.
 constexpr const char* kBootstrapSamples = "100000";
 }  // namespace
 

@@ -280,7 +280,7 @@ PictureScale PathIntegrator::measure_scale() const {
 
 PathFamilyDefaults path_family_defaults(const std::string& techniques) {
   PathFamilyDefaults defaults{.techniques = techniques};
-  // As many as keep the cost of a sample within 1.6 times that of path tracing.
+  // Light subpaths that keep the cost of a sample within 1.6 times that of path tracing.
   if (techniques == "ibpt") defaults.light_paths_per_pixel = 0.33;
   // Its light subpaths end anyway in techniques that share the path with others.
   if (techniques == "bdpt") defaults.roulette_start = 3;

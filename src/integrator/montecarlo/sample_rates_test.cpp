@@ -165,7 +165,7 @@ TEST(SampleRates, SurviveAnArchive) {
     InputArchive archive(bytes);
     again.load_state(archive, kFirst);
   }
-  // As they are, and as they go on.
+  // Rates before and after going on.
   const auto later = row_by_row([](int x, int y) { return x + 2.0 * y; });
   for (int i = 0; i < 2; ++i) {
     for (const Vec2i& pixel : {Vec2i(8, 20), Vec2i(44, 35)}) {

@@ -27,7 +27,7 @@ class AdaptiveSampling {
   /// needed. `rays`: per camera sample.
   void adjust(const std::vector<double>& variance, SampleRates::Guesses guesses,
               std::uint64_t samples, double rays);
-  /// As of now, if there is one.
+  /// Current price, if there is one.
   const std::optional<RayPrice>& price() const { return price_; }
 
   std::uint64_t memory_bytes() const;

@@ -191,14 +191,6 @@ std::uint64_t SelectiveConfig::pixels() const {
   return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
 }
 
-RenderSettings SelectiveConfig::omc_settings() const {
-  RenderSettings own = settings;
-  std::erase_if(own.aovs, [](const std::string& name) {
-    return is_chain_layer(name) || name == "techniques";
-  });
-  return own;
-}
-
 bool SelectiveConfig::has_long_paths() const {
   return std::max(settings.min_depth, Division::kDirectDepth + 1) <= settings.max_depth;
 }

@@ -31,8 +31,6 @@ struct SelectiveConfig {
                   const Parameters& parameters);
 
   std::uint64_t pixels() const;  ///< number in the crop
-  /// Settings of ordinary Monte Carlo in the render: without the layers that are made of chains.
-  RenderSettings omc_settings() const;
   /// Tests for light that ordinary Monte Carlo and chains may share: paths of more than two edges.
   bool has_long_paths() const;
 

@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "core/random_use.h"
 #include "integrator/make_filter.h"
+#include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/selective/chain_fraction.h"
 #include "integrator/selective/heuristics.h"
 
@@ -116,7 +117,7 @@ double DivisionPilot::effort() const {
 }
 
 std::uint64_t DivisionPilot::begin() {
-  RenderSettings settings = prepared_.config.omc_settings();
+  RenderSettings settings = beside_chains(prepared_.config.settings);
   settings.replicates = replicates();
   if (!stays()) {
     settings.seed = hash_numbers(settings.seed, RandomUse::DivisionPilot);

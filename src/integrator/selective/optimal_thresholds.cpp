@@ -1,11 +1,16 @@
 #include "integrator/selective/optimal_thresholds.h"
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
-#include "integrator/selective/check_argument.h"
-
 namespace ajar {
+
+namespace {
+void check_argument(bool condition, const char* message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+}  // namespace
 
 namespace {
 

@@ -31,7 +31,7 @@ class SampleAllocation {
   void count_omc(std::uint64_t rays, std::uint64_t samples);
   void count_chains(std::uint64_t rays, std::uint64_t mutations);
 
-  /// As far as is known; 0 if nothing is.
+  /// Mean so far; 0 if nothing is known.
   double rays_per_camera_sample() const {
     return omc_samples_ > 0 ? static_cast<double>(omc_rays_) / static_cast<double>(omc_samples_)
                             : 0.0;

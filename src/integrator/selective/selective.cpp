@@ -137,7 +137,7 @@ SelectiveIntegrator::SelectiveIntegrator(const Scene& scene, const RenderSetting
   if (prepared_.config.efficient_roulette) {
     add_stage(std::make_unique<RoulettePilot>(prepared_), &SelectiveIntegrator::take_roulette);
   }
-  add_stage(std::make_unique<SurfacePilot>(scene, prepared_.config.omc_settings()),
+  add_stage(std::make_unique<SurfacePilot>(scene, beside_chains(prepared_.config.settings)),
             &SelectiveIntegrator::take_surfaces);
   auto division = std::make_unique<DivisionPilot>(prepared_, *reservoir_);
   division_ = division.get();
@@ -270,7 +270,7 @@ void SelectiveIntegrator::end_preparation() {
 }
 
 void SelectiveIntegrator::make_omc() {
-  const RenderSettings settings = prepared_.config.omc_settings();
+  const RenderSettings settings = beside_chains(prepared_.config.settings);
   const bool has_chains = reservoir_ != nullptr;
   adaptive_ = std::make_unique<AdaptiveSampling>(prepared_, settings);
   PathIntegratorContext context{

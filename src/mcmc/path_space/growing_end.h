@@ -25,7 +25,7 @@ class GrowingEnd {
 
   // Away from the last vertex; false if there is no such way.
 
-  /// As the surface or the medium scatters.
+  /// Samples the scattering of the surface or the medium.
   bool scatter(SampleSource& source);
   /// By a specular event.
   bool follow(const ScatterEvent& event);

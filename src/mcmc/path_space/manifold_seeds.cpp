@@ -35,7 +35,7 @@ double log_camera_pdf(const Scene& scene, const Path& path, int last) {
   return density.value();
 }
 
-/// As `log_join_pdf`, for a subpath that runs into the light.
+/// Counterpart of `log_join_pdf` for a subpath that runs into the light.
 double log_hit_pdf(const Scene& scene, const Path& path, int seen) {
   if (path.light->discrete_position()) return kNever;
   return log_camera_pdf(scene, path, 0) - log_camera_pdf(scene, path, seen);

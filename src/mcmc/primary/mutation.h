@@ -10,7 +10,7 @@ namespace ajar {
 class Mutation {
  public:
   virtual ~Mutation() = default;
-  /// As users type it.
+  /// Name that users type.
   virtual std::string_view name() const = 0;
 
   /// Moves every number of a block as `steps` > 0 small steps in a row would. `scales` multiplies

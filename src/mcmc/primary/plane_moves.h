@@ -17,7 +17,7 @@ namespace ajar {
 struct PlaneRule {
   bool adaptive = false;    ///< step sizes follow the evenness of the visits
   bool neighbours = false;  ///< densely visited pixels are left for a neighbour
-  /// As published, the distribution of the chain is not that of its target. Otherwise steps are
+  /// Published rules: the distribution of the chain is not that of its target. Otherwise steps are
   /// accepted with the ratio of their densities there and back.
   bool published = false;
   double adaptive_visits = 50.0;    ///< M1: a pixel with fewer visits keeps the step size

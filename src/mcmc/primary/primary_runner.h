@@ -9,7 +9,7 @@ namespace ajar {
 /// Runs chains of primary numbers: a kernel and the runner of it.
 class PrimaryRunner {
  public:
-  /// As `PrimaryKernel` has it.
+  /// Arguments of `PrimaryKernel`.
   PrimaryRunner(const PrimarySettings& settings, const Mutation& mutation,
                 const PrimaryShape& shape, Target& target, const PlaneMoves* plane = nullptr)
       : kernel_(settings, mutation, shape, target, plane), runner_(kernel_) {}

@@ -94,7 +94,8 @@ class Coat {
 /// Absorption by the medium of a coat.
 struct CoatInside {
   Spectrum depth{0.F};  ///< optical thickness of the coat, along the normal
-  /// As if the coat bent nothing, and only on the ways in and out (Tungsten's plastics).
+  /// Attenuation as if the coat bent nothing, and only on the ways in and out (Tungsten's
+  /// plastics).
   bool straight = false;
 };
 

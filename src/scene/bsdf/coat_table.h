@@ -26,7 +26,7 @@ float mean_refracted(const RoughBoundary& boundary);
 
 /// Share that is reflected back inside, of diffuse light from inside.
 float mean_reflected_inside(const RoughBoundary& boundary);
-/// As a sum over 64 evenly spaced cosines from 0 to 1 of which both ends count whole, as Mitsuba 3
+/// Sum over 64 evenly spaced cosines from 0 to 1 of which both ends count whole, as Mitsuba 3
 /// has it (roughplastic); 1.6 % less.
 float sum_reflected_inside(const RoughBoundary& boundary);
 

@@ -35,7 +35,7 @@ desc::Density random_density(const desc::Vec3i& resolution, DensityGrid::Points 
 
 Mat4 skewed() { return {2, 0.1, 0, 0, -0.2, 3, 0.3, 0, 0, 0.4, 1.5, 0, -1, -1.5, -0.75, 1}; }
 
-/// As the declaration says it, point by point.
+/// Oracle by the declaration, point by point.
 double density_at(const desc::Density& density, const Vec3d& world) {
   const DensityGrid& grid = *density.grid;
   Vec3d p;

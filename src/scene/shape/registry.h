@@ -14,7 +14,7 @@ class ShapeInputs;
 struct ShapeModel {
   desc::Model model;
   BuiltShape (*make)(const ShapeInputs& inputs);
-  /// As `shape_memory`; null if it is next to nothing.
+  /// Memory like `shape_memory`; null if it is next to nothing.
   std::uint64_t (*memory)(const desc::Shape& shape) = nullptr;
 };
 

@@ -393,7 +393,7 @@ SurfaceDerivatives TriangleMesh::derivatives(std::uint32_t triangle, const Vec3d
   const Vec3d b = Vec3d(vertices_[t.z].n) - n0;
   const Vec3d n = n0 + a * b1 + b * b2;
   const double size = n.length();
-  // As hits have it: where normals cancel, that of the triangle.
+  // Normal of hits: where normals cancel, that of the triangle.
   if (!(size > 1e-15)) return result;
   result.n = n / size;
   const auto of_unit = [&](const Vec3d& dn) { return (dn - result.n * result.n.dot(dn)) / size; };

@@ -16,7 +16,7 @@ class Texture {
  public:
   virtual ~Texture() = default;
   virtual Spectrum eval(const SurfacePoint& at) const = 0;
-  /// As a single number: the first lane, eval(at)[0]; of colour images the luminance, as in
+  /// Value as a single number: the first lane, eval(at)[0]; of colour images the luminance, as in
   /// pbrt-v3.
   virtual float eval_float(const SurfacePoint& at) const { return eval(at)[0]; }
   /// The value, if it is the same everywhere.

@@ -364,7 +364,7 @@ TEST_F(CheckpointFile, OfAnotherRenderIsRefusedByName) {
 
 TEST_F(CheckpointFile, PreviousOneStaysIfTheNewOneCannotBeWritten) {
   const std::string first = write();
-  // As on a full disk: no file may become longer than this.
+  // A full disk: no file may become longer than this.
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   rlimit small = before;

@@ -11,7 +11,7 @@ namespace {
 
 class BetweenPassesTest : public ::testing::Test {
  protected:
-  /// As another thread does.
+  /// Asks like another thread.
   std::future<bool> asked(BetweenPasses::Look look) {
     return std::async(std::launch::async,
                       [this, look = std::move(look)]() mutable { return passes_.ask(look); });

@@ -60,7 +60,7 @@ TEST(RenderJob, GivesTheSameBitsOnAnyNumberOfThreads) {
 TEST(RenderJob, CountsTheProcessorTimeOfChainsAndNotTheirWaiting) {
   TestIntegrator integrator(kJobSize, 1);
   integrator.has_chains = true;
-  // As on a machine that is busy with something else.
+  // A machine that is busy with something else.
   integrator.on_item = [](auto...) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
   Film film = make_film(integrator, 1);
   const RenderResult result = RenderJob(integrator, film, with_samples(1, 1)).run();
@@ -162,7 +162,7 @@ TEST(RenderJob, TargetsMayBeOfTheDenoisedPicture) {
   options.budget.target_error = 0.1;
   options.budget.denoised_target = true;
   options.estimate_error = [](const Film&, std::uint64_t samples) { return error_after(samples); };
-  // As if a filter did what four times the samples do.
+  // A filter that is worth four times the samples.
   options.estimate_denoised_error = [](const Film&, std::uint64_t samples) {
     return error_after(4 * samples).value;
   };

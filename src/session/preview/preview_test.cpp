@@ -192,7 +192,7 @@ TEST_F(PreviewTest, ViewersThatCloseOrBabbleDoNoHarm) {
     }
   }
   FakeViewer babbling(Manners::Babbling, port);
-  // As a render would: again and again. The first may go to the connection that is lost.
+  // Sends like a render, again and again. The first may go to the connection that is lost.
   EXPECT_TRUE(wait_until([&] {
     sender->see_picture(film_, state_);
     return babbling.picture("room").updates >= 6;

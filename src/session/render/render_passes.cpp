@@ -39,7 +39,7 @@ Checkpoint checkpoint_base(const RenderState& state) {
   return base;
 }
 
-/// As well as it can be filtered. False if `progress` ended it.
+/// Filters the picture. False if `progress` ended it.
 bool add_best_layers(const RenderState& state, const Film& film, std::uint64_t samples,
                      Picture& picture, const Denoiser::Progress& progress) {
   const PictureEstimates estimates =
@@ -97,7 +97,7 @@ class OpenPasses {
   BetweenPasses& passes_;
 };
 
-/// As well as it can be filtered, unless the user is in a hurry.
+/// Filters the picture, unless the user is in a hurry.
 void denoise_last(RenderState& state, const RenderJob& job, Picture& picture) {
   if (!state.filter) return;
   state.events.phase_begun(RenderPhase::Denoise);

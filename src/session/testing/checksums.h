@@ -11,7 +11,7 @@ namespace ajar {
 /// Puts into the bytes of a checkpoint the checksums that fit them, so that what else is wrong with
 /// them is met. Nothing if they are too short for a header.
 inline void make_checkpoint_checksums_right(std::span<std::byte> file) {
-  // As `Header` in checkpoint.cpp has it.
+  // Layout of `Header` in checkpoint.cpp.
   constexpr std::size_t kContentChecksum = 20;
   constexpr std::size_t kHeaderChecksum = 40;
   constexpr std::size_t kHeader = 48;
