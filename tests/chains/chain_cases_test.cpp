@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -533,6 +534,30 @@ TEST(ChainReports, GiveTheBOfPathsAnErrorBarThatCoversIt) {
   const double ratio = std::pow(b.standard_error(), 2) * kSeeds / error_variance;
   EXPECT_LT(std::abs(0.5 * std::log(ratio)), 5.0 * std::sqrt(0.5 / (kSeeds - 1)))
       << "variance ratio " << ratio;
+}
+
+/// Each extension of mmlt makes other chains, and so does the mask of a part of the light.
+TEST(ExtensionsOfMmlt, ChangeTheChains) {
+  const auto scene = scene_from(pbrt_scene(kCamera, 16, 12, kPoints + kFloor));
+  test::RenderOptions options = options_of("mmlt");
+  options.replicates = 4;
+  options.samples = 32;
+  const std::vector<float> plain = test::render(*scene, options).image();
+  using Settings = std::map<std::string, std::string>;
+  for (const Settings& settings :
+       {Settings{{"step", "adaptive"}, {"m1", "1"}, {"k1", "1"}, {"k2", "1"}},
+        Settings{{"mutation", "slemmlt"}, {"w", "1"}}, Settings{{"multi-try", "2"}},
+        Settings{{"camera-steps", "0.5"}}, Settings{{"seeds", "filtered"}, {"seed-spread", "0"}}}) {
+    test::RenderOptions own = options;
+    own.parameters.insert(settings.begin(), settings.end());
+    EXPECT_NE(test::render(*scene, own).image(), plain) << settings.begin()->first;
+  }
+  // slemmlt moves numbers like gaussian until its map is there.
+  options.parameters["mutation"] = "gaussian";
+  const std::vector<float> gaussian = test::render(*scene, options).image();
+  options.parameters.insert({{"w", "1"}});
+  options.parameters["mutation"] = "slemmlt";
+  EXPECT_NE(test::render(*scene, options).image(), gaussian);
 }
 
 TEST(Techniques, WithCountsAreRefusedByChains) {

@@ -51,6 +51,7 @@ TEST(BlackPilot, LeavesThePictureRightOnAverage) {
   double sum = 0.0;
   double squares = 0.0;
   int black = 0;
+  int with_chains = 0;
   for (int i = 0; i < kRenders; ++i) {
     options.seed = static_cast<std::uint64_t>(i) + 1;
     const test::Render render = test::render(*scene, options);
@@ -58,11 +59,13 @@ TEST(BlackPilot, LeavesThePictureRightOnAverage) {
     sum += mean;
     squares += mean * mean;
     black += mean == 0.0 ? 1 : 0;
+    with_chains += render.counters.mutations > 0 ? 1 : 0;
     EXPECT_TRUE(render.integrator->findings().concerns.empty());
   }
   const double mean = sum / kRenders;
   const double error = std::sqrt((squares / kRenders - mean * mean) / (kRenders - 1));
   EXPECT_GT(black, 0) << "light so rare that some pictures have none";
+  EXPECT_GT(with_chains, kRenders / 2) << "the second pilot finds it";
   EXPECT_LT(5.0 * error, 0.5) << "too noisy to notice what it is for";
   EXPECT_LT(std::abs(mean - 1.0), 5.0 * error) << mean << " +- " << error;
 }
