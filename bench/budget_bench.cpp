@@ -48,7 +48,7 @@ Found render_for(double seconds, const MeasuredScene& measured, const Variant& v
                  std::uint64_t seed) {
   RenderSettings settings = measured.settings;
   settings.seed = seed;
-  RenderOrder order = order_of(variant, measured.description, settings, seconds);
+  RenderRequest order = order_of(variant, measured.description, settings, seconds);
   order.interrupts = &interrupt_count();
   FirstPicture first;
   Render render(std::move(order), first);

@@ -13,7 +13,7 @@
 #include "measuring/timed_render.h"
 #include "measuring/variant.h"
 #include "session/job/interrupts.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "session/scenes/builtin_scenes.h"
 #include "support/shared.h"
 

@@ -76,7 +76,7 @@ class Base {
         import_pbrt_text(kScene, "fuzz.pbrt", "/nonexistent", warnings));
     const std::string path = fuzz::private_file({}, ".checkpoint");
     std::filesystem::remove(path);
-    RenderOrder order = render_until(kSamples);
+    RenderRequest order = render_until(kSamples);
     order.spec.checkpoint = path;
     Render(std::move(order)).run();
     std::ifstream file(path, std::ios::binary);
@@ -87,7 +87,7 @@ class Base {
 
   /// Resumes like `ajar render --resume`, for a few samples.
   void go_on(Checkpoint checkpoint) const {
-    RenderOrder order = render_until(checkpoint.job.samples_per_pixel + 8);
+    RenderRequest order = render_until(checkpoint.job.samples_per_pixel + 8);
     order.resumed = std::move(checkpoint);
     order.resumed_from = "fuzz.checkpoint";
     order.spec.force = true;
@@ -95,8 +95,8 @@ class Base {
   }
 
  private:
-  RenderOrder render_until(std::uint64_t samples) const {
-    RenderOrder order;
+  RenderRequest render_until(std::uint64_t samples) const {
+    RenderRequest order;
     order.scene = "fuzz.pbrt";
     order.loaded = scene_;
     RenderSpec& spec = order.spec;

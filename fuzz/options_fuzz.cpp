@@ -54,7 +54,7 @@ constexpr std::array<Reader, 9> kReaders = {
     [](const std::string& text) { ajar::parse_depth("--depth", text); },
     read_crop,
     [](const std::string& text) {
-      const ajar::WorkShare share = ajar::parse_share("--share", text);
+      const ajar::WorkSlice share = ajar::parse_share("--share", text);
       if (share.index >= share.count) std::abort();
     },
     [](const std::string& text) { ajar::parse_list(text); },

@@ -1,7 +1,7 @@
 #include "measuring/job.h"
 
 #include "session/job/preparation.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 
 namespace ajar::bench {
 

@@ -7,7 +7,7 @@
 
 #include "measuring/reference_store.h"
 #include "measuring/timed_render.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 
 namespace ajar::bench {
 

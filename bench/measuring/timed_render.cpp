@@ -10,7 +10,7 @@
 #include "session/job/render_job.h"
 #include "session/job/resources.h"
 #include "session/output/output.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 
 namespace ajar::bench {
 

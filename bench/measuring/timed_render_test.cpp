@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 

@@ -26,9 +26,9 @@ std::vector<std::string> split_settings(const std::string& text) {
 
 }  // namespace
 
-RenderOrder order_of(const Variant& variant, desc::SceneDesc description,
-                     const RenderSettings& settings, double seconds) {
-  RenderOrder order;
+RenderRequest order_of(const Variant& variant, desc::SceneDesc description,
+                       const RenderSettings& settings, double seconds) {
+  RenderRequest order;
   order.scene = description.source;
   order.loaded = std::make_shared<LoadedScene>(std::move(description));
   RenderSpec& spec = order.spec;

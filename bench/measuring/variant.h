@@ -5,7 +5,7 @@
 
 #include "core/parameters.h"
 #include "integrator/integrator.h"
-#include "session/render/render_order.h"
+#include "session/render/render_request.h"
 
 namespace ajar::bench {
 
@@ -21,8 +21,8 @@ struct Variant {
 };
 
 /// A render of such a scene by a variant, as `ajar render --time` makes it.
-RenderOrder order_of(const Variant& variant, desc::SceneDesc description,
-                     const RenderSettings& settings, double seconds);
+RenderRequest order_of(const Variant& variant, desc::SceneDesc description,
+                       const RenderSettings& settings, double seconds);
 
 /// `bdpt` or `bdpt:heuristic=balance,roulette-start=8`. A piece between commas that has no `=`
 /// belongs to the value before it, so that lists can be values. Raises UsageError.

@@ -16,23 +16,23 @@ namespace ajar::v0 {
 
 namespace {
 
-RenderOrder order_of(const Scene::Content& scene, const Settings& settings, bool shows_pictures,
-                     double picture_every) {
-  RenderOrder order;
-  order.scene = scene.name;
-  order.loaded = scene.loaded;
-  order.spec = RenderSpec(settings);
-  check_options(order.spec, &RenderOption::in_settings);
+RenderRequest order_of(const Scene::Content& scene, const Settings& settings, bool shows_pictures,
+                       double picture_every) {
+  RenderRequest request;
+  request.scene = scene.name;
+  request.loaded = scene.loaded;
+  request.spec = RenderSpec(settings);
+  check_options(request.spec, &RenderOption::in_settings);
   if (shows_pictures) {
     if (!(picture_every >= 0.0)) throw UsageError("picture_every: must be seconds from 0 on");
-    order.show_every = picture_every;
+    request.show_every = picture_every;
   }
   if (settings.resume && settings.checkpoint.empty()) {
     throw UsageError("resume needs a checkpoint: the name of the file to go on with");
   }
-  lock_checkpoint_of(order);
-  if (settings.resume) resume_if_there(settings.checkpoint, order);
-  return order;
+  lock_checkpoint_of(request);
+  if (settings.resume) resume_if_there(settings.checkpoint, request);
+  return request;
 }
 
 Progress progress_of(const RenderSnapshot& snapshot) {

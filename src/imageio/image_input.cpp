@@ -66,8 +66,8 @@ std::uint64_t ImageInput::bytes(int channels, std::uint64_t channel_bytes) const
 }
 
 void ImageInput::check_memory(std::uint64_t bytes) {
-  if (const std::string shortage = memory_shortage(bytes); !shortage.empty()) {
-    throw IoError("the image " + shortage);
+  if (const std::string preparation_cut = memory_shortage(bytes); !preparation_cut.empty()) {
+    throw IoError("the image " + preparation_cut);
   }
 }
 

@@ -37,9 +37,9 @@ Picture read_picture(const std::string& path) {
                   "\": it holds display values; scene-linear ones are needed");
   }
   // Its layers, beside it.
-  if (const std::string shortage = memory_shortage(image.data.size() * sizeof(float));
-      !shortage.empty()) {
-    throw IoError("cannot use \"" + path + "\": the picture " + shortage);
+  if (const std::string preparation_cut = memory_shortage(image.data.size() * sizeof(float));
+      !preparation_cut.empty()) {
+    throw IoError("cannot use \"" + path + "\": the picture " + preparation_cut);
   }
   Picture picture;
   picture.resolution = image.resolution;

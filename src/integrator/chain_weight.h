@@ -10,12 +10,12 @@ class ChainWeight {
   ChainWeight() = default;
   virtual ~ChainWeight() = default;
   /// Factor of a contribution that lands on `raster` in the target of the chains.
-  virtual float share(const Contribution& contribution, const Vec2& raster) const = 0;
+  virtual float weight(const Contribution& contribution, const Vec2& raster) const = 0;
   /// Factor for a technique's contribution, with its MIS weight and without its roulette weight:
   /// its luminance.
-  virtual float share(Technique technique, float light, const Vec2& raster) const = 0;
+  virtual float weight(Technique technique, float light, const Vec2& raster) const = 0;
   /// Factor of the indirect light that they deposit there.
-  virtual float kept(const Vec2& raster) const = 0;
+  virtual float deposit_scale(const Vec2& raster) const = 0;
 
  protected:
   ChainWeight(const ChainWeight&) = default;

@@ -22,10 +22,10 @@ struct PixelDivision {
   /// importance. 0: all of it.
   float threshold = 0.F;
   /// σ, by which the chains' target is multiplied. 0 leaves everything to ordinary Monte Carlo.
-  float target = 1.F;
+  float target_scale = 1.F;
   /// Scale of the chains' deposits in the picture, in place of σ: equal to it, unless one method
   /// alone makes a pixel.
-  float kept = 1.F;
+  float deposit_scale = 1.F;
 };
 
 /// Division of the light of long paths between ordinary Monte Carlo and Markov chains, path by
@@ -56,40 +56,40 @@ class Division final : public ChainWeight {
 
   /// Divides indirect light at g = `threshold` everywhere. `importance` must outlive this.
   Division(double threshold, const ImportanceMap& importance)
-      : shares_(1), highest_(static_cast<float>(threshold)), importance_(&importance) {
-    shares_.front().threshold = highest_;
+      : pixels_(1), highest_(static_cast<float>(threshold)), importance_(&importance) {
+    pixels_.front().threshold = highest_;
   }
-  /// `shares`: one per pixel of `crop`, row by row.
-  Division(const Box2i& crop, std::vector<PixelDivision> shares, const ImportanceMap& importance)
-      : crop_(crop), shares_(std::move(shares)), importance_(&importance) {
-    for (const PixelDivision& share : shares_) highest_ = std::max(highest_, share.threshold);
+  /// `pixels`: one per pixel of `crop`, row by row.
+  Division(const Box2i& crop, std::vector<PixelDivision> pixels, const ImportanceMap& importance)
+      : crop_(crop), pixels_(std::move(pixels)), importance_(&importance) {
+    for (const PixelDivision& pixel : pixels_) highest_ = std::max(highest_, pixel.threshold);
   }
 
   static bool divides(Technique technique) { return technique.depth() > kDirectDepth; }
   const PixelDivision& at(const Vec2& raster) const {
-    return shares_.size() == 1 ? shares_.front() : shares_[pixel_at(crop_, raster)];
+    return pixels_.size() == 1 ? pixels_.front() : pixels_[pixel_at(crop_, raster)];
   }
   /// g / (T + g).
-  static float above(float strength, float threshold) {
+  static float chain_fraction(float strength, float threshold) {
     // Infinity and NaN are discarded by the caller.
     return strength > 0.F ? 1.F / (1.F + threshold / strength) : 0.F;
   }
   /// Part of a contribution that lands on `raster` in the chains' target.
-  float chain_share(const Contribution& contribution, const Vec2& raster) const {
-    return divides(contribution.technique) ? chain_share(strength(contribution, raster), raster)
+  float chain_fraction(const Contribution& contribution, const Vec2& raster) const {
+    return divides(contribution.technique) ? chain_fraction(strength(contribution, raster), raster)
                                            : 0.F;
   }
-  float chain_share(float strength, const Vec2& raster) const {
-    const PixelDivision& share = at(raster);
-    return share.target * above(strength, share.threshold);
+  float chain_fraction(float strength, const Vec2& raster) const {
+    const PixelDivision& pixel = at(raster);
+    return pixel.target_scale * chain_fraction(strength, pixel.threshold);
   }
-  float omc_share(const Contribution& contribution, const Vec2& raster) const {
-    return divides(contribution.technique) ? omc_share(strength(contribution, raster), raster)
+  float omc_fraction(const Contribution& contribution, const Vec2& raster) const {
+    return divides(contribution.technique) ? omc_fraction(strength(contribution, raster), raster)
                                            : 1.F;
   }
-  float omc_share(float strength, const Vec2& raster) const {
-    const PixelDivision& share = at(raster);
-    return 1.F - share.kept * above(strength, share.threshold);
+  float omc_fraction(float strength, const Vec2& raster) const {
+    const PixelDivision& pixel = at(raster);
+    return 1.F - pixel.deposit_scale * chain_fraction(strength, pixel.threshold);
   }
   /// Both at once, of a contribution whose technique is divided.
   struct Parts {
@@ -100,37 +100,37 @@ class Division final : public ChainWeight {
   };
   Parts parts(const Contribution& contribution, const Vec2& raster) const {
     const float light = luminance(contribution.value) * (*importance_)(raster);
-    const float strength = light / contribution.chance;
-    const PixelDivision& share = at(raster);
-    const float over = above(strength, share.threshold);
-    return {light, strength, share.target * over, 1.F - share.kept * over};
+    const float strength = light / contribution.roulette_weight;
+    const PixelDivision& pixel = at(raster);
+    const float over = chain_fraction(strength, pixel.threshold);
+    return {light, strength, pixel.target_scale * over, 1.F - pixel.deposit_scale * over};
   }
-  float share(const Contribution& contribution, const Vec2& raster) const override {
-    return divides(contribution.technique) ? chain_share(contribution, raster) : 1.F;
+  float weight(const Contribution& contribution, const Vec2& raster) const override {
+    return divides(contribution.technique) ? chain_fraction(contribution, raster) : 1.F;
   }
-  float share(Technique technique, float light, const Vec2& raster) const override {
-    return divides(technique) ? chain_share(light * (*importance_)(raster), raster) : 1.F;
+  float weight(Technique technique, float light, const Vec2& raster) const override {
+    return divides(technique) ? chain_fraction(light * (*importance_)(raster), raster) : 1.F;
   }
-  float kept(const Vec2& raster) const override {
-    const PixelDivision& share = at(raster);
-    return share.target > 0.F ? share.kept / share.target : 0.F;
+  float deposit_scale(const Vec2& raster) const override {
+    const PixelDivision& pixel = at(raster);
+    return pixel.target_scale > 0.F ? pixel.deposit_scale / pixel.target_scale : 0.F;
   }
   /// True if the picture takes nothing from chains anywhere.
   bool takes_nothing() const {
-    return std::all_of(shares_.begin(), shares_.end(),
-                       [](const PixelDivision& share) { return share.kept == 0.F; });
+    return std::all_of(pixels_.begin(), pixels_.end(),
+                       [](const PixelDivision& pixel) { return pixel.deposit_scale == 0.F; });
   }
   /// T of the pixel where it is highest.
   float highest_threshold() const { return highest_; }
   float importance(const Vec2& raster) const { return (*importance_)(raster); }
   /// g.
   float strength(const Contribution& contribution, const Vec2& raster) const {
-    return luminance(contribution.value) * (*importance_)(raster) / contribution.chance;
+    return luminance(contribution.value) * (*importance_)(raster) / contribution.roulette_weight;
   }
 
  private:
   Box2i crop_{Vec2i(0, 0), Vec2i(0, 0)};
-  std::vector<PixelDivision> shares_;
+  std::vector<PixelDivision> pixels_;
   float highest_ = 0.F;
   const ImportanceMap* importance_;
 };

@@ -7,8 +7,11 @@
 namespace ajar {
 namespace {
 
-Contribution contribution(float value, Technique technique, float chance = 1.F) {
-  return {.value = Spectrum(value), .technique = technique, .mis_weight = 1.0, .chance = chance};
+Contribution contribution(float value, Technique technique, float roulette_weight = 1.F) {
+  return {.value = Spectrum(value),
+          .technique = technique,
+          .mis_weight = 1.0,
+          .roulette_weight = roulette_weight};
 }
 
 /// Where the map has no say.
@@ -20,7 +23,7 @@ TEST(Division, LeavesDirectLightToOrdinaryMonteCarlo) {
   for (const Technique technique :
        {Technique{0, 2}, Technique{0, 3}, Technique{1, 2}, Technique{2, 1}}) {
     EXPECT_FALSE(Division::divides(technique));
-    EXPECT_EQ(division.chain_share(contribution(1e6F, technique), kAnywhere), 0.F);
+    EXPECT_EQ(division.chain_fraction(contribution(1e6F, technique), kAnywhere), 0.F);
   }
   EXPECT_TRUE(Division::divides({2, 2}));
 }
@@ -28,9 +31,9 @@ TEST(Division, LeavesDirectLightToOrdinaryMonteCarlo) {
 TEST(Division, DividesEvenlyAtTheThreshold) {
   const ImportanceMap importance;
   const Division division(3.0, importance);
-  EXPECT_NEAR(division.chain_share(contribution(3.F, {2, 2}), kAnywhere), 0.5F, 1e-6);
-  EXPECT_NEAR(division.chain_share(contribution(27.F, {2, 2}), kAnywhere), 0.9F, 1e-6);
-  EXPECT_EQ(division.chain_share(contribution(0.F, {2, 2}), kAnywhere), 0.F);
+  EXPECT_NEAR(division.chain_fraction(contribution(3.F, {2, 2}), kAnywhere), 0.5F, 1e-6);
+  EXPECT_NEAR(division.chain_fraction(contribution(27.F, {2, 2}), kAnywhere), 0.9F, 1e-6);
+  EXPECT_EQ(division.chain_fraction(contribution(0.F, {2, 2}), kAnywhere), 0.F);
 }
 
 TEST(Division, SharesAddUpToOneAndOrdinaryMonteCarloStaysBelowTheThreshold) {
@@ -40,8 +43,8 @@ TEST(Division, SharesAddUpToOneAndOrdinaryMonteCarloStaysBelowTheThreshold) {
     for (const float x : {0.5F, 1.5F}) {
       const Contribution path = contribution(value, {0, 5});
       const Vec2 raster(x, 0.5F);
-      const float chain = division.chain_share(path, raster);
-      const float omc = division.omc_share(path, raster);
+      const float chain = division.chain_fraction(path, raster);
+      const float omc = division.omc_fraction(path, raster);
       EXPECT_NEAR(chain + omc, 1.F, 1e-6);
       EXPECT_LE(omc * division.strength(path, raster), 2.F * 1.001F);
     }
@@ -51,8 +54,8 @@ TEST(Division, SharesAddUpToOneAndOrdinaryMonteCarloStaysBelowTheThreshold) {
 TEST(Division, IgnoresRouletteWeights) {
   const ImportanceMap importance;
   const Division division(5.0, importance);
-  const float sure = division.chain_share(contribution(2.F, {3, 2}), kAnywhere);
-  EXPECT_FLOAT_EQ(division.chain_share(contribution(16.F, {3, 2}, 8.F), kAnywhere), sure)
+  const float sure = division.chain_fraction(contribution(2.F, {3, 2}), kAnywhere);
+  EXPECT_FLOAT_EQ(division.chain_fraction(contribution(16.F, {3, 2}, 8.F), kAnywhere), sure)
       << "a survivor of Russian roulette is the same path";
 }
 
@@ -60,30 +63,31 @@ TEST(Division, PassesOnNanAndInfinity) {
   const ImportanceMap importance;
   const Division division(5.0, importance);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(division.chain_share(contribution(nan, {3, 2}), kAnywhere), 0.F);
+  EXPECT_EQ(division.chain_fraction(contribution(nan, {3, 2}), kAnywhere), 0.F);
   const float infinity = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(division.chain_share(contribution(infinity, {3, 2}), kAnywhere), 1.F);
+  EXPECT_EQ(division.chain_fraction(contribution(infinity, {3, 2}), kAnywhere), 1.F);
 }
 
 TEST(Division, SharesAddUpToOneWhateverTheMapAndWhereverThePath) {
   const Box2i crop(Vec2i(2, 3), Vec2i(4, 4));
-  std::vector<PixelDivision> shares = {{0.F, 1.F, 1.F},  {0.F, 0.F, 0.F},  {5.F, 0.3F, 0.3F},
+  std::vector<PixelDivision> pixels = {{0.F, 1.F, 1.F},  {0.F, 0.F, 0.F},  {5.F, 0.3F, 0.3F},
                                        {0.F, 0.1F, 0.F}, {2.F, 0.7F, 1.F}, {9.F, 1.F, 1.F}};
   const ImportanceMap importance;
-  const Division division(crop, shares, importance);
+  const Division division(crop, pixels, importance);
   for (int row = 7; row < 24; ++row) {
     for (int column = 3; column < 28; ++column) {
       for (const float value : {1e-6F, 0.5F, 3.F, 1e5F}) {
         const Contribution path = contribution(value, {2, 3});
         const Vec2 raster(0.25F * static_cast<float>(column), 0.25F * static_cast<float>(row));
-        EXPECT_NEAR(division.chain_share(path, raster) * division.kept(raster) +
-                        division.omc_share(path, raster),
+        EXPECT_NEAR(division.chain_fraction(path, raster) * division.deposit_scale(raster) +
+                        division.omc_fraction(path, raster),
                     1.F, 1e-6F);
       }
     }
   }
-  EXPECT_EQ(division.at({2.5F, 4.5F}).target, 0.1F);
-  EXPECT_EQ(division.at({100.F, -100.F}).target, 0.3F) << "beyond the border: the nearest pixel";
+  EXPECT_EQ(division.at({2.5F, 4.5F}).target_scale, 0.1F);
+  EXPECT_EQ(division.at({100.F, -100.F}).target_scale, 0.3F)
+      << "beyond the border: the nearest pixel";
 }
 
 TEST(Divisions, AreForAllReplicatesOrForEitherHalf) {

@@ -12,7 +12,7 @@
 #include "core/method_report.h"
 #include "core/parameters.h"
 #include "core/warnings.h"
-#include "core/work_share.h"
+#include "core/work_slice.h"
 #include "image/develop_scale.h"
 #include "image/film.h"
 #include "image/plane.h"
@@ -85,9 +85,9 @@ struct Counters : EventCounts {
 struct PreparationRound {
   std::uint64_t items = 0;
   double effort = 1.0;
-  double later_effort = 0.0;  ///< effort of the rounds after it
-  double later_stays = 0.0;   ///< part of `later_effort` whose samples are kept
-  bool stays = false;         ///< its samples are kept in the picture
+  double later_effort = 0.0;       ///< effort of the rounds after it
+  double later_kept_effort = 0.0;  ///< part of `later_effort` whose samples are kept
+  bool stays = false;              ///< its samples are kept in the picture
   /// True if its result is of use even if none of the later rounds runs.
   bool serves_alone = false;
   /// Effort of one sample per pixel of the render. 0: however few there are, the preparation comes
@@ -96,7 +96,7 @@ struct PreparationRound {
 };
 
 /// Reason why the preparation was cut short.
-enum class Shortage : bool { Time, Samples };
+enum class PreparationCut : bool { Time, Samples };
 
 /// Results of the preparation.
 struct Findings {
@@ -127,7 +127,7 @@ class Integrator {
   /// There is too little of something for the rest of the preparation: the integrator renders as
   /// well as it can without. Called once a round has begun, of which any items may have run; the
   /// picture depends on the number of the round only.
-  virtual void skip_preparation(Shortage /*of*/) {}
+  virtual void skip_preparation(PreparationCut /*of*/) {}
   /// Preview of the picture during the preparation: RGB in the film's unit, row by row of the crop;
   /// empty if there is none, or nothing new since the last call. Called between the rounds of the
   /// preparation. For the eye only: none of it need be in the picture.
@@ -172,11 +172,11 @@ class Integrator {
   virtual void save_state(OutputArchive& /*archive*/) const {}
   virtual void load_state(InputArchive& /*archive*/, std::uint64_t /*samples*/) {}
   /// Between passes of a render whose items are shared by several processes: serialises this
-  /// process's state changes (items of `share`) since the last exchange, and applies those of the
-  /// process of `share`. After the exchange of all, in the order of their shares and their own
+  /// process's state changes (items of `slice`) since the last exchange, and applies those of the
+  /// process of `slice`. After the exchange of all, in the order of their slices and their own
   /// among them, all have the same state, as if they had rendered all items.
-  virtual void give_news(OutputArchive& /*archive*/, const WorkShare& /*share*/) {}
-  virtual void take_news(InputArchive& /*archive*/, const WorkShare& /*share*/) {}
+  virtual void export_delta(OutputArchive& /*archive*/, const WorkSlice& /*slice*/) {}
+  virtual void import_delta(InputArchive& /*archive*/, const WorkSlice& /*slice*/) {}
 
   /// Memory that it keeps while it renders, beside the scene and the film, bytes; known after the
   /// preparation. An estimate.

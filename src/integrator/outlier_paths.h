@@ -21,7 +21,7 @@ struct OutlierPath {
   std::uint64_t sample;  ///< names the camera sample and the light subpath that found it
   /// Index of the sample's light subpath, if s ≥ 2. Not saved: the path's numbers are.
   int light_subpath = 0;
-  bool hit_only = false;  ///< as in `Contribution`
+  bool unidirectional_only = false;  ///< as in `Contribution`
   /// Key of its random numbers.
   std::uint64_t key() const {
     return hash_numbers(sample, static_cast<std::uint64_t>(technique.s),

@@ -27,7 +27,7 @@ IntegratorInfo path_family_member(const PathFamilyDefaults& defaults, std::strin
       }};
 }
 
-IntegratorInfo metropolis(ChainKind kind, std::string name, std::string summary,
+IntegratorInfo metropolis(ChainSpace kind, std::string name, std::string summary,
                           std::string source) {
   return {.name = std::move(name),
           .summary = std::move(summary),
@@ -83,12 +83,12 @@ const std::vector<IntegratorInfo>& integrators() {
        .parameters = masked_parameters(),
        .make = make_masked_integrator},
       metropolis(
-          ChainKind::OnePath, "mmlt",
+          ChainSpace::Mmlt, "mmlt",
           "multiplexed Metropolis light transport, as published: chains of paths of one depth that "
           "choose the technique as they go",
           "Hachisuka, Kaplanyan & Dachsbacher 2014"),
       metropolis(
-          ChainKind::WholePath, "pssmlt",
+          ChainSpace::Pssmlt, "pssmlt",
           "primary sample space Metropolis light transport, as published: chains whose states are "
           "all connections of two subpaths",
           "Kelemen et al. 2002"),

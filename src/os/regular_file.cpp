@@ -64,8 +64,8 @@ FileBytes read_file(const std::string& path) {
     fail("read", path, complaint);
   }
   const auto size = static_cast<std::size_t>(status.st_size);
-  if (const std::string shortage = memory_shortage(size); !shortage.empty()) {
-    fail("read", path, "it " + shortage);
+  if (const std::string preparation_cut = memory_shortage(size); !preparation_cut.empty()) {
+    fail("read", path, "it " + preparation_cut);
   }
   std::unique_ptr<char[]> bytes(new char[size > 0 ? size : 1]);
   std::size_t done = 0;

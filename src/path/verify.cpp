@@ -121,7 +121,7 @@ void verify(const Scene& scene, const PathSamplerSettings& settings, const Path&
   }
   const Spectrum expected = throughput(scene, path, technique);
   const double recorded =
-      tries(settings, technique) / (contribution.mis_weight * double{contribution.chance});
+      tries(settings, technique) / (contribution.mis_weight * double{contribution.roulette_weight});
   const double tolerance =
       kRelative + rounding_of_lengths(scene, path) + rounding_of_cosines(scene, path);
   for (int lane = 0; lane < 3; ++lane) {

@@ -29,7 +29,7 @@ std::unique_ptr<tbb::global_control> thread_limit(int threads) {
 bool is_prepared(RenderState& state) {
   const auto forget = [&] {
     state.preview.reset();
-    state.watch.know(std::shared_ptr<const Picture>());
+    state.monitor.publish(std::shared_ptr<const Picture>());
   };
   try {
     if (prepare_method(state)) return true;
@@ -44,29 +44,29 @@ bool is_prepared(RenderState& state) {
 }  // namespace
 
 struct Render::Parts {
-  Parts(RenderOrder order, RenderEvents& events)
-      : interrupts(order.interrupts != nullptr ? *order.interrupts : own_interrupts),
-        threads(thread_limit(order.spec.threads)),
-        state{std::move(order), events, interrupts, watch} {}
+  Parts(RenderRequest request, RenderEvents& events)
+      : interrupts(request.interrupts != nullptr ? *request.interrupts : own_interrupts),
+        threads(thread_limit(request.spec.threads)),
+        state{std::move(request), events, interrupts, monitor} {}
 
   InterruptCount own_interrupts{0};
   InterruptCount& interrupts;
-  RenderWatch watch;
+  RenderMonitor monitor;
   std::unique_ptr<tbb::global_control> threads;
   RenderState state;
   RenderOutcome outcome;
 };
 
-Render::Render(RenderOrder order) : Render(std::move(order), nobody()) {}
-Render::Render(RenderOrder order, RenderEvents& events)
-    : parts_(std::make_unique<Parts>(std::move(order), events)) {
+Render::Render(RenderRequest request) : Render(std::move(request), nobody()) {}
+Render::Render(RenderRequest request, RenderEvents& events)
+    : parts_(std::make_unique<Parts>(std::move(request), events)) {
   RenderState& state = parts_->state;
-  const RenderOrder& wanted = state.order;
+  const RenderRequest& wanted = state.request;
   wanted.spec.display();  // its curve may be none
   check_files(wanted);
   if (wanted.resumed) check_resumable(*wanted.resumed, wanted.resumed_from, wanted.spec.force);
   state.statistics.render.scene = wanted.scene;
-  state.watch.know(state.statistics);
+  state.monitor.publish(state.statistics);
 }
 Render::~Render() = default;
 
@@ -74,9 +74,9 @@ const RenderOutcome& Render::run() {
   RenderState& state = parts_->state;
   RenderOutcome& outcome = parts_->outcome;
   desc::SceneDesc description = load_description(state);
-  change_film(state.order, description);
-  state.plan.emplace(make_plan(state.order, description));
-  complete_files(state.order, description);
+  change_film(state.request, description);
+  state.plan.emplace(make_plan(state.request, description));
+  complete_files(state.request, description);
   build_scene(state, std::move(description));
   if (is_prepared(state)) {
     outcome = render_passes(state);
@@ -90,14 +90,14 @@ const RenderOutcome& Render::run() {
 
 void Render::stop() { parts_->interrupts.fetch_add(1, std::memory_order_relaxed); }
 
-RenderSnapshot Render::snapshot() const { return parts_->watch.snapshot(); }
+RenderSnapshot Render::snapshot() const { return parts_->monitor.snapshot(); }
 
 std::shared_ptr<const Picture> Render::picture() {
   std::shared_ptr<const Picture> picture;
   const auto look = [&](const Film& film, const JobState& job) {
     picture = std::make_shared<const Picture>(picture_of(parts_->state, film, job));
   };
-  return parts_->watch.passes.ask(look) ? picture : parts_->watch.last_picture();
+  return parts_->monitor.passes.ask(look) ? picture : parts_->monitor.last_picture();
 }
 
 RenderStatistics Render::statistics() {
@@ -105,7 +105,7 @@ RenderStatistics Render::statistics() {
   const auto look = [&](const Film& /*film*/, const JobState& job) {
     statistics = statistics_at(parts_->state, job);
   };
-  return parts_->watch.passes.ask(look) ? statistics : parts_->watch.statistics();
+  return parts_->monitor.passes.ask(look) ? statistics : parts_->monitor.statistics();
 }
 
 }  // namespace ajar

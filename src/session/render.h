@@ -3,15 +3,15 @@
 #include <optional>
 
 #include "session/render/render_events.h"
-#include "session/render/render_order.h"
 #include "session/render/render_outcome.h"
+#include "session/render/render_request.h"
 
 namespace ajar {
 
 /// A render from its scene to its picture: loads, chooses the method, builds, prepares, renders
 /// pass after pass, writes files if there are to be any.
 ///
-///     RenderOrder order;
+///     RenderRequest order;
 ///     order.scene = "builtin:cornell";
 ///     order.request.emplace().budget.seconds = 10.0;
 ///     Render render(std::move(order));
@@ -24,8 +24,8 @@ class Render {
  public:
   /// `events` must outlive this. Raises, before anything is loaded, UsageError for orders that
   /// cannot be carried out and IoError for files that cannot be written.
-  explicit Render(RenderOrder order);
-  Render(RenderOrder order, RenderEvents& events);
+  explicit Render(RenderRequest request);
+  Render(RenderRequest request, RenderEvents& events);
   ~Render();
   Render(const Render&) = delete;
   Render& operator=(const Render&) = delete;

@@ -25,16 +25,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RenderOrder small_order(std::optional<std::uint64_t> samples = 8) {
-  RenderOrder order;
-  order.scene = "builtin:cornell";
-  RenderSpec& spec = order.spec;
+RenderRequest small_request(std::optional<std::uint64_t> samples = 8) {
+  RenderRequest request;
+  request.scene = "builtin:cornell";
+  RenderSpec& spec = request.spec;
   spec.integrator = "pt";
   spec.resolution = {24, 18};
   spec.samples_per_pixel = samples;
   // A day, which no test waits for.
   if (!samples) spec.seconds = 86400.0;
-  return order;
+  return request;
 }
 
 const std::vector<float>& pixels_of(const Picture& picture) {
@@ -50,8 +50,8 @@ std::shared_ptr<LoadedScene> loaded(const std::string& scene) {
   return std::make_shared<LoadedScene>(load_scene(scene, warnings));
 }
 
-std::vector<float> rendered(RenderOrder order) {
-  Render render(std::move(order));
+std::vector<float> rendered(RenderRequest request) {
+  Render render(std::move(request));
   return pixels_of(*render.run().picture);
 }
 
@@ -98,7 +98,7 @@ struct Listener final : RenderEvents {
 
 TEST(Render, TellsItsStepsAndItsEnd) {
   Listener listener;
-  Render render(small_order(), listener);
+  Render render(small_request(), listener);
   const RenderOutcome& outcome = render.run();
   EXPECT_EQ(listener.phases,
             (std::vector<std::string>{"load", "build", "prepare", "render", "write"}));
@@ -116,25 +116,25 @@ TEST(Render, TellsItsStepsAndItsEnd) {
 }
 
 TEST(Render, TakesASceneThatIsReady) {
-  RenderOrder order = small_order();
-  order.loaded = loaded(order.scene);
+  RenderRequest request = small_request();
+  request.loaded = loaded(request.scene);
   Listener listener;
-  Render render(std::move(order), listener);
-  EXPECT_EQ(pixels_of(*render.run().picture), rendered(small_order()));
+  Render render(std::move(request), listener);
+  EXPECT_EQ(pixels_of(*render.run().picture), rendered(small_request()));
   EXPECT_EQ(listener.phases.front(), "build");
 }
 
 TEST(Render, TakesASceneThatWasBuiltForAnother) {
   const std::shared_ptr<LoadedScene> scene = loaded("builtin:cornell");
-  RenderSpec spec = small_order().spec;
+  RenderSpec spec = small_request().spec;
   const auto first_phase = [&] {
-    RenderOrder order = small_order();
-    order.spec = spec;
-    RenderOrder alone = small_order();
+    RenderRequest request = small_request();
+    request.spec = spec;
+    RenderRequest alone = small_request();
     alone.spec = spec;
-    order.loaded = scene;
+    request.loaded = scene;
     Listener listener;
-    Render render(std::move(order), listener);
+    Render render(std::move(request), listener);
     EXPECT_EQ(pixels_of(*render.run().picture), rendered(std::move(alone)));
     return listener.phases.front();
   };
@@ -150,7 +150,7 @@ TEST(Render, TakesASceneThatWasBuiltForAnother) {
   spec.filter = "gaussian";
   EXPECT_EQ(first_phase(), "build");
   EXPECT_EQ(first_phase(), "prepare");
-  spec = small_order().spec;
+  spec = small_request().spec;
   EXPECT_EQ(first_phase(), "build") << "one is kept";
 }
 
@@ -168,12 +168,12 @@ TEST(Render, TellsTheWarningsOfASceneThatWasBuiltForAnother) {
       "test.pbrt", ".", warnings));
   std::vector<std::vector<std::string>> told;
   for (int i = 0; i < 2; ++i) {
-    RenderOrder order;
-    order.scene = "test.pbrt";
-    order.loaded = scene;
-    order.spec.integrator = "pt";
-    order.spec.samples_per_pixel = 4;
-    Render render(std::move(order));
+    RenderRequest request;
+    request.scene = "test.pbrt";
+    request.loaded = scene;
+    request.spec.integrator = "pt";
+    request.spec.samples_per_pixel = 4;
+    Render render(std::move(request));
     told.push_back(render.run().statistics.warnings);
   }
   EXPECT_NE(told[0].back().find("none.png"), std::string::npos);
@@ -182,7 +182,7 @@ TEST(Render, TellsTheWarningsOfASceneThatWasBuiltForAnother) {
 
 TEST(Render, IsStoppedByAnotherThread) {
   Listener listener;
-  Render render(small_order(std::nullopt), listener);
+  Render render(small_request(std::nullopt), listener);
   std::thread user([&] {
     listener.has_passes.wait(false);
     render.stop();
@@ -197,11 +197,11 @@ TEST(Render, IsStoppedByAnotherThread) {
 
 TEST(Render, CountsOnTheCounterItIsGiven) {
   InterruptCount count{0};
-  RenderOrder order = small_order(std::nullopt);
-  order.interrupts = &count;
+  RenderRequest request = small_request(std::nullopt);
+  request.interrupts = &count;
   Listener listener;
   listener.on_progress = [&](const RenderSnapshot&) { count = 1; };
-  Render render(std::move(order), listener);
+  Render render(std::move(request), listener);
   EXPECT_TRUE(render.run().interrupted);
   render.stop();
   EXPECT_EQ(count, 2);
@@ -210,7 +210,7 @@ TEST(Render, CountsOnTheCounterItIsGiven) {
 // Pictures between two passes are of so many samples, to the bit.
 TEST(Render, ShowsItsPictureToOtherThreads) {
   Listener listener;
-  Render render(small_order(std::nullopt), listener);
+  Render render(small_request(std::nullopt), listener);
   listener.on_progress = [&](const RenderSnapshot&) { listener.has_passes.notify_all(); };
   std::shared_ptr<const Picture> seen;
   RenderStatistics known;
@@ -220,7 +220,7 @@ TEST(Render, ShowsItsPictureToOtherThreads) {
     // Where all replicates have the same number of samples, as in a render of so many.
     do {
       seen = render.picture();
-    } while (samples_of(*seen) % RenderSetup::kReplicates != 0);
+    } while (samples_of(*seen) % ResolvedRender::kReplicates != 0);
     render.stop();
   });
   render.run();
@@ -231,12 +231,12 @@ TEST(Render, ShowsItsPictureToOtherThreads) {
   EXPECT_LE(known.result.samples_per_pixel, samples_of(*seen));
   EXPECT_GT(known.result.counters.rays, 0U);
   EXPECT_EQ(known.render.integrator, "pt");
-  EXPECT_EQ(pixels_of(*seen), rendered(small_order(samples_of(*seen))));
+  EXPECT_EQ(pixels_of(*seen), rendered(small_request(samples_of(*seen))));
 }
 
 TEST(Render, HasNoPictureBeforeItsFirstPass) {
   Listener listener;
-  Render render(small_order(), listener);
+  Render render(small_request(), listener);
   EXPECT_FALSE(render.picture());
   EXPECT_EQ(render.statistics().render.scene, "builtin:cornell");
   // On its own thread, which would wait for itself.
@@ -245,15 +245,15 @@ TEST(Render, HasNoPictureBeforeItsFirstPass) {
 }
 
 /// A preparation of eight samples per pixel, or one that is far too long for these.
-RenderOrder selective_order(bool prepared = true) {
-  RenderOrder order = small_order();
-  order.spec.integrator = "selective";
-  order.spec.max_depth = 3;
+RenderRequest selective_request(bool prepared = true) {
+  RenderRequest request = small_request();
+  request.spec.integrator = "selective";
+  request.spec.max_depth = 3;
   if (!prepared) {
-    order.spec.parameters = {{"pilot", "discard"}};
-    order.spec.resolution = {200, 150};
+    request.spec.parameters = {{"pilot", "discard"}};
+    request.spec.resolution = {200, 150};
   }
-  return order;
+  return request;
 }
 
 bool has_note(const Listener& listener, const std::string& part) {
@@ -266,10 +266,10 @@ constexpr const char* kFewSamples = "too few samples to look for difficult light
 TEST(Render, OfFewSamplesDoesWithoutALongPreparation) {
   std::vector<std::vector<float>> pictures;
   for (const int threads : {1, 2}) {
-    RenderOrder order = selective_order(false);
-    order.spec.threads = threads;
+    RenderRequest request = selective_request(false);
+    request.spec.threads = threads;
     Listener listener;
-    Render render(std::move(order), listener);
+    Render render(std::move(request), listener);
     const RenderOutcome& outcome = render.run();
     EXPECT_TRUE(has_note(listener, kFewSamples));
     EXPECT_FALSE(outcome.statistics.prepared);
@@ -282,7 +282,7 @@ TEST(Render, OfFewSamplesDoesWithoutALongPreparation) {
 
 TEST(Render, OfFewSamplesIsPreparedIfThatIsShort) {
   Listener listener;
-  Render render(selective_order(), listener);
+  Render render(selective_request(), listener);
   const RenderOutcome& outcome = render.run();
   EXPECT_TRUE(outcome.statistics.prepared);
   EXPECT_EQ(outcome.picture->metadata.at("ajar:prepared"), "true");
@@ -291,23 +291,23 @@ TEST(Render, OfFewSamplesIsPreparedIfThatIsShort) {
 
 /// A render of enough camera samples.
 TEST(Render, HasTheChainsThatWereAskedForByName) {
-  RenderOrder order = small_order(1);
-  order.spec.integrator = "mmlt";
-  order.spec.parameters = {{"bootstrap", "200000"}};
-  order.spec.max_depth = 3;
+  RenderRequest request = small_request(1);
+  request.spec.integrator = "mmlt";
+  request.spec.parameters = {{"bootstrap", "200000"}};
+  request.spec.max_depth = 3;
   Listener listener;
-  Render render(std::move(order), listener);
+  Render render(std::move(request), listener);
   EXPECT_TRUE(render.run().statistics.prepared);
   EXPECT_TRUE(has_note(listener, "Markov chains make all light"));
 }
 
 TEST(Render, ShowsWhatItsPreparationHasSeen) {
-  RenderOrder order = selective_order();
-  order.show_every = 1e3;
+  RenderRequest request = selective_request();
+  request.show_every = 1e3;
   FakeViewer viewer(FakeViewer::Manners::Good);
-  order.spec.preview = "127.0.0.1:" + std::to_string(viewer.port());
+  request.spec.preview = "127.0.0.1:" + std::to_string(viewer.port());
   Listener listener;
-  Render render(std::move(order), listener);
+  Render render(std::move(request), listener);
   std::shared_ptr<const Picture> look;
   listener.on_phase = [&](RenderPhase phase) {
     if (phase != RenderPhase::Render) return;
@@ -326,16 +326,16 @@ TEST(Render, ShowsWhatItsPreparationHasSeen) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   };
   EXPECT_NEAR(mean(pixels_of(*look)), mean(final), 0.3 * mean(final));
-  EXPECT_EQ(final, rendered(selective_order())) << "who looks changes nothing";
+  EXPECT_EQ(final, rendered(selective_request())) << "who looks changes nothing";
   EXPECT_EQ(render.picture(), outcome.picture);
   EXPECT_EQ(viewer.fault(), "");
 }
 
 TEST(Render, HasNoPictureIfItEndsWithWhatItsPreparationHasSeen) {
-  RenderOrder order = selective_order();
-  order.show_every = 1e3;
+  RenderRequest request = selective_request();
+  request.show_every = 1e3;
   Listener listener;
-  Render render(std::move(order), listener);
+  Render render(std::move(request), listener);
   listener.on_picture = [&] {
     render.stop();
     render.stop();
@@ -350,10 +350,10 @@ TEST(Render, DoesNotShowWhatItsPreparationSeesAgain) {
   const std::string checkpoint =
       (std::filesystem::temp_directory_path() / ("ajar-look-" + std::to_string(::getpid())))
           .string();
-  RenderOrder order = selective_order();
-  order.spec.checkpoint = checkpoint;
-  Render(std::move(order)).run();
-  RenderOrder on;
+  RenderRequest request = selective_request();
+  request.spec.checkpoint = checkpoint;
+  Render(std::move(request)).run();
+  RenderRequest on;
   on.spec.samples_per_pixel = 16;
   on.show_every = 1e3;
   resume_from(checkpoint, on);
@@ -372,30 +372,30 @@ TEST(Render, DoesNotShowWhatItsPreparationSeesAgain) {
 TEST(Render, HasNoPictureIfItFailsAfterItsPreparation) {
   Listener listener;
   listener.on_note = [] { throw std::runtime_error("enough"); };
-  Render render(selective_order(), listener);
+  Render render(selective_request(), listener);
   EXPECT_THROW(render.run(), std::runtime_error);
   EXPECT_FALSE(render.picture());
 }
 
 TEST(Render, ShowsPicturesToItsListener) {
-  RenderOrder order = small_order(64);
-  order.show_every = 0.0;
+  RenderRequest request = small_request(64);
+  request.show_every = 0.0;
   Listener listener;
-  Render render(std::move(order), listener);
+  Render render(std::move(request), listener);
   render.run();
   EXPECT_GT(listener.pictures, 0);
 }
 
 TEST(Render, IsStoppedBeforeItBegins) {
   Listener listener;
-  Render render(small_order(), listener);
+  Render render(small_request(), listener);
   render.stop();
   render.stop();
   // Path tracing has nothing to prepare that could be cut short.
   EXPECT_TRUE(render.run().picture);
-  RenderOrder order = small_order();
-  order.spec.integrator = "mmlt";
-  Render chains(std::move(order), listener);
+  RenderRequest request = small_request();
+  request.spec.integrator = "mmlt";
+  Render chains(std::move(request), listener);
   chains.stop();
   chains.stop();
   const RenderOutcome& outcome = chains.run();
@@ -406,7 +406,7 @@ TEST(Render, IsStoppedBeforeItBegins) {
 
 TEST(Render, LeavesNobodyWaitingWhenItFails) {
   Listener listener;
-  Render render(small_order(std::nullopt), listener);
+  Render render(small_request(std::nullopt), listener);
   std::future<std::shared_ptr<const Picture>> asked;
   listener.on_progress = [&](const RenderSnapshot& snapshot) {
     if (snapshot.samples_done < 4.0) return;
@@ -423,20 +423,20 @@ TEST(Render, LeavesNobodyWaitingWhenItFails) {
 }
 
 TEST(Render, RefusesBeforeItLoads) {
-  RenderOrder order = small_order();
-  order.scene = "builtin:no-such-scene";
-  order.spec.tone_map = "no-such-curve";
-  EXPECT_THROW(Render{std::move(order)}, UsageError);
-  RenderOrder unknown = small_order();
+  RenderRequest request = small_request();
+  request.scene = "builtin:no-such-scene";
+  request.spec.tone_map = "no-such-curve";
+  EXPECT_THROW(Render{std::move(request)}, UsageError);
+  RenderRequest unknown = small_request();
   unknown.scene = "builtin:no-such-scene";
   Render render(std::move(unknown));
   EXPECT_THROW(render.run(), UsageError);
 }
 
 TEST(Render, MayRunBesideAnother) {
-  const std::vector<float> alone = rendered(small_order());
-  auto other = std::async(std::launch::async, [] { return rendered(small_order()); });
-  EXPECT_EQ(rendered(small_order()), alone);
+  const std::vector<float> alone = rendered(small_request());
+  auto other = std::async(std::launch::async, [] { return rendered(small_request()); });
+  EXPECT_EQ(rendered(small_request()), alone);
   EXPECT_EQ(other.get(), alone);
 }
 
@@ -448,9 +448,9 @@ TEST(Render, IsOneOfSeveralRanks) {
   threads.reserve(kRanks);
   for (int rank = 0; rank < kRanks; ++rank) {
     threads.emplace_back([&, rank] {
-      RenderOrder order = small_order();
-      order.ranks = &ranks.member(rank);
-      Render render(std::move(order));
+      RenderRequest request = small_request();
+      request.ranks = &ranks.member(rank);
+      Render render(std::move(request));
       const RenderOutcome& outcome = render.run();
       EXPECT_EQ(outcome.statistics.ranks, kRanks);
       EXPECT_EQ(outcome.picture, render.picture());
@@ -461,7 +461,7 @@ TEST(Render, IsOneOfSeveralRanks) {
   ASSERT_TRUE(pictures[0]);
   EXPECT_FALSE(pictures[1]);
   EXPECT_FALSE(pictures[2]);
-  EXPECT_EQ(pixels_of(*pictures[0]), rendered(small_order()));
+  EXPECT_EQ(pixels_of(*pictures[0]), rendered(small_request()));
 }
 
 TEST(Render, WritesFilesAndGoesOn) {
@@ -469,13 +469,13 @@ TEST(Render, WritesFilesAndGoesOn) {
       fs::temp_directory_path() / ("ajar-render-test-" + std::to_string(getpid()));
   fs::create_directories(folder);
   const std::string checkpoint = (folder / "half.ckpt").string();
-  RenderOrder order = small_order(8);
-  order.spec.outputs = {(folder / "half.exr").string()};
-  order.spec.statistics = (folder / "half.json").string();
-  order.spec.checkpoint = checkpoint;
-  lock_checkpoint_of(order);
+  RenderRequest request = small_request(8);
+  request.spec.outputs = {(folder / "half.exr").string()};
+  request.spec.statistics = (folder / "half.json").string();
+  request.spec.checkpoint = checkpoint;
+  lock_checkpoint_of(request);
   {
-    Render render(std::move(order));
+    Render render(std::move(request));
     const RenderOutcome& outcome = render.run();
     EXPECT_TRUE(outcome.all_written());
     EXPECT_EQ(outcome.files.size(), 2U);
@@ -483,23 +483,23 @@ TEST(Render, WritesFilesAndGoesOn) {
   }
   EXPECT_TRUE(fs::exists(folder / "half.exr"));
   EXPECT_TRUE(fs::exists(folder / "half.json"));
-  RenderOrder second;
+  RenderRequest second;
   second.spec.samples_per_pixel = 16;
   resume_from(checkpoint, second);
   EXPECT_EQ(second.scene, "builtin:cornell");
-  EXPECT_EQ(rendered(std::move(second)), rendered(small_order(16)));
+  EXPECT_EQ(rendered(std::move(second)), rendered(small_request(16)));
 
   // With more samples there would be enough for the preparation; but it was begun without.
   const std::string of_few = (folder / "few.ckpt").string();
-  RenderOrder few = selective_order(false);
+  RenderRequest few = selective_request(false);
   few.spec.checkpoint = of_few;
   lock_checkpoint_of(few);
   rendered(std::move(few));
-  RenderOrder whole = selective_order(false);
+  RenderRequest whole = selective_request(false);
   whole.spec.samples_per_pixel = 16;
   const std::vector<float> expected = rendered(std::move(whole));
   for (const std::uint64_t samples : {16, 64}) {
-    RenderOrder more;
+    RenderRequest more;
     more.spec.samples_per_pixel = samples;
     resume_from(of_few, more);
     Listener listener;
@@ -512,7 +512,7 @@ TEST(Render, WritesFilesAndGoesOn) {
     EXPECT_FALSE(outcome.statistics.prepared);
   }
   Listener listener;
-  RenderOrder enough = selective_order(false);
+  RenderRequest enough = selective_request(false);
   enough.spec.samples_per_pixel = 64;
   Render render(std::move(enough), listener);
   EXPECT_TRUE(render.run().statistics.prepared) << "what was not to be gone back on";

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "session/options/option_values.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "session/scenes/builtin_scenes.h"
 #include "session/scenes/scene_file.h"
 #include "study/json_reader.h"
@@ -31,7 +31,7 @@ void check_method(const Method& method) {
   spec.integrator = method.integrator;
   spec.parameters = method.parameters;
   desc::Film film;
-  const RenderSetup setup = make_setup(spec, {}, film);
+  const ResolvedRender setup = resolve_render(spec, {}, film);
   setup.integrator->read(setup.parameters);
 }
 

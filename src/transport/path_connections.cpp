@@ -35,17 +35,18 @@ bool PathSampler::is_tried(double count, const Pair& pair, SampleSource& source)
   return count >= 1.0 || static_cast<double>(source.get(pair.address(kConnectionTry))) < count;
 }
 
-float PathSampler::cull(const Spectrum& contribution, float worth, const Pair& pair,
+float PathSampler::cull(const Spectrum& contribution, float rays_per_unit_light, const Pair& pair,
                         SampleSource& source) {
-  const float survival = contribution.max() * worth;
+  const float survival = contribution.max() * rays_per_unit_light;
   if (!(survival < 1.F)) return 1.F;  // NaN is not culled
   return source.get(pair.address(kConnectionCull)) < survival ? 1.F / survival : 0.F;
 }
 
 template <typename WeightOf>
 std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Medium* medium,
-                                                     const Spectrum& unoccluded, float worth,
-                                                     const Pair& pair, SampleSource& source,
+                                                     const Spectrum& unoccluded,
+                                                     float rays_per_unit_light, const Pair& pair,
+                                                     SampleSource& source,
                                                      const WeightOf& weight_of) {
   const Technique technique{pair.light_edges + 1, pair.camera_edges + 1};
   if (const std::optional<Segment> segment = unobstructed(scene_, ray, medium)) {
@@ -53,12 +54,12 @@ std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Mediu
     const double mis_weight = weight_of(*segment);
     const Spectrum value = unoccluded * segment->transmittance * static_cast<float>(mis_weight);
     if (value.is_black()) return std::nullopt;
-    const float survivor = cull(value, worth, pair, source);
+    const float survivor = cull(value, rays_per_unit_light, pair, source);
     if (survivor == 0.F) return std::nullopt;
     if (is_blocked(scene_, ray, rays_)) return std::nullopt;
     return Joined{value * survivor, mis_weight, survivor};
   }
-  const float survivor = cull(unoccluded, worth, pair, source);
+  const float survivor = cull(unoccluded, rays_per_unit_light, pair, source);
   if (survivor == 0.F) return std::nullopt;
   const std::optional<Segment> segment = connect(scene_, ray, medium, rays_);
   if (!segment || !counts(technique, pair.surplus + segment->counted_interfaces)) {
@@ -101,8 +102,8 @@ void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const M
   sink.add({.value = flight.throughput * end.weight * emitted * static_cast<float>(mis_weight),
             .technique = {0, edges + 1},
             .mis_weight = mis_weight,
-            .chance = flight.roulette,
-            .hit_only = flight.specular && !flight.has_rough_edge,
+            .roulette_weight = flight.roulette,
+            .unidirectional_only = flight.specular && !flight.has_rough_edge,
             .light_point = &point,
             .light = &light});
 }
@@ -171,12 +172,12 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
   };
   const std::optional<Joined> joined =
       join(ray_to_endpoint(vertex, light, *sample), vertex.medium_toward(sample->w), unoccluded,
-           worth_, pair, source, weight_of);
+           rays_per_unit_light_, pair, source, weight_of);
   if (!joined) return;
   sink.add({.value = joined->value,
             .technique = technique,
             .mis_weight = joined->mis_weight,
-            .chance = vertex.roulette * joined->culling,
+            .roulette_weight = vertex.roulette * joined->culling,
             .light_point = &sample->point,
             .light = &light});
 }
@@ -215,13 +216,14 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
   };
   Ray ray = ray_to_endpoint(vertex, camera, *sample);
   ray.passes_lights = scene_.hides_lights();
-  const std::optional<Joined> joined = join(ray, vertex.medium_toward(sample->w), unoccluded,
-                                            sink.worth(*raster), pair, source, weight_of);
+  const std::optional<Joined> joined =
+      join(ray, vertex.medium_toward(sample->w), unoccluded, sink.rays_per_unit_light(*raster),
+           pair, source, weight_of);
   if (!joined) return;
   sink.add({.value = joined->value,
             .technique = technique,
             .mis_weight = joined->mis_weight,
-            .chance = vertex.roulette * joined->culling,
+            .roulette_weight = vertex.roulette * joined->culling,
             .light_subpath = vertex.repeat,
             .raster = *raster,
             .camera_point = &sample->point});
@@ -271,14 +273,14 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
     const double own = mean(h(heuristic, camera_vertex.lanes * light_vertex.lanes));
     return 1.0 / (1.0 + mean(others) / (h(heuristic, own_count) * own));
   };
-  const std::optional<Joined> joined =
-      join(ray_between(camera_vertex.ray_origin(w), light_vertex.ray_end(-w, distance)),
-           camera_vertex.medium_toward(w), unoccluded, worth_, pair, source, weight_of);
+  const std::optional<Joined> joined = join(
+      ray_between(camera_vertex.ray_origin(w), light_vertex.ray_end(-w, distance)),
+      camera_vertex.medium_toward(w), unoccluded, rays_per_unit_light_, pair, source, weight_of);
   if (!joined) return;
   sink.add({.value = joined->value,
             .technique = technique,
             .mis_weight = joined->mis_weight,
-            .chance = camera_vertex.roulette * light_vertex.roulette * joined->culling,
+            .roulette_weight = camera_vertex.roulette * light_vertex.roulette * joined->culling,
             .light_subpath = light_vertex.repeat});
 }
 

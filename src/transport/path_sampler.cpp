@@ -192,14 +192,15 @@ bool PathSampler::start_camera(SampleSource& source, const Vec2& raster, PathSin
   // border.
   const bool inside = raster.x >= 0.F && raster.y >= 0.F && raster.x < size.x && raster.y < size.y;
   light_tracing_reaches_ = inside;
-  worth_ = sink.worth(raster);
+  rays_per_unit_light_ = sink.rays_per_unit_light(raster);
 
   flight.ray = {emission->origin, emission->w};
   flight.ray.passes_lights = scene_.hides_lights();
   flight.medium = camera.medium;
   flight.reference = emission->point.surface.p;
   flight.throughput = emission->weight;
-  if (camera_walk_.efficient_roulette) flight.roulette_scale = worth_ * settings_.camera_rest;
+  if (camera_walk_.efficient_roulette)
+    flight.roulette_scale = rays_per_unit_light_ * settings_.camera_rest;
   flight.mis = mis_start(settings_.heuristic, emission->position_pdf.value(), 0.0);
   flight.departure = emission->departure_pdf.value();
   flight.from_infinity = camera.at_infinity();

@@ -18,10 +18,10 @@ struct Contribution {
   double mis_weight;
   /// Roulette weight in `value`: the factor of survivors of Russian roulette and of the culling of
   /// weak connections. Without it, `value` is a function of the path and its technique.
-  float chance = 1.F;
+  float roulette_weight = 1.F;
   /// Technique (0, t) only: no edge of the path could have been made by a connection, since one end
   /// of each scatters by a specular lobe.
-  bool hit_only = false;
+  bool unidirectional_only = false;
   int light_subpath = 0;  ///< index of the sample's light subpath, if s ≥ 2
   /// Technique (s, 1) only: where on the film it lands. All others belong to the camera ray's own
   /// place.
@@ -42,7 +42,7 @@ class PathSink {
   virtual bool reaches(const Vec2& /*raster*/) const { return true; }
   /// Rays that one unit of light (largest lane) is worth at this raster position. Connections worth
   /// less than a ray are subject to Russian roulette in proportion.
-  virtual float worth(const Vec2& /*raster*/) const {
+  virtual float rays_per_unit_light(const Vec2& /*raster*/) const {
     return std::numeric_limits<float>::infinity();
   }
   /// The first surface or medium vertex the camera sees, at `distance` from it; `hit` is null for a
@@ -73,8 +73,8 @@ struct PathSamplerSettings {
   double light_paths_per_pixel = 1.0;
   /// Efficiency-aware Russian roulette (after Rath et al. 2022): contribution of the rest of a
   /// camera subpath per unit of its throughput, root mean square, over the root of the rays that it
-  /// takes. Subpaths then survive in proportion to its worth (`PathSink::worth`), from
-  /// `TransportHeuristics::kEfficientRouletteStart` on. 0: not known; roulette follows the
+  /// takes. Subpaths then survive in proportion to its worth (`PathSink::rays_per_unit_light`),
+  /// from `TransportHeuristics::kEfficientRouletteStart` on. 0: not known; roulette follows the
   /// throughput alone.
   float camera_rest = 0.F;
 };
@@ -182,12 +182,12 @@ class PathSampler {
   /// if nothing arrives. Where no interfaces can lie between, visibility is tested last of all.
   template <typename WeightOf>
   std::optional<Joined> join(const Ray& ray, const Medium* medium, const Spectrum& unoccluded,
-                             float worth, const Pair& pair, SampleSource& source,
+                             float rays_per_unit_light, const Pair& pair, SampleSource& source,
                              const WeightOf& weight_of);
   /// Decides about a connection that is made less than once on average.
   static bool is_tried(double count, const Pair& pair, SampleSource& source);
   /// Russian roulette of weak connections: weight of the survivors, 0 for the others.
-  static float cull(const Spectrum& contribution, float worth, const Pair& pair,
+  static float cull(const Spectrum& contribution, float rays_per_unit_light, const Pair& pair,
                     SampleSource& source);
 
   /// Samples of a technique per call of `sample`, or per pixel if they are light tracing's.
@@ -213,7 +213,8 @@ class PathSampler {
   /// h(count) of the techniques of each class, if they are all alike.
   ByTechniqueClass<double> class_h_count_;
   bool light_tracing_reaches_ = false;  ///< the current camera path's place on the film
-  float worth_ = std::numeric_limits<float>::infinity();  ///< rays per unit of light there
+  float rays_per_unit_light_ =
+      std::numeric_limits<float>::infinity();  ///< rays per unit of light there
   std::vector<PathVertex> light_vertices_;
   std::size_t light_vertex_count_ = 0;
   std::vector<MisTrailEntry> camera_trail_;  // these two only for sets that name single techniques

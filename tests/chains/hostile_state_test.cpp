@@ -11,7 +11,7 @@
 #include "core/archive.h"
 #include "session/job/preparation.h"
 #include "session/job/render_job.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "support/methods.h"
 #include "support/render.h"
 #include "support/small_scenes.h"

@@ -137,7 +137,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
        {"patience with a network", {"kPollMilliseconds", "kConnectPolls", "kDrainedAtOnce"}}},
       {"session/preview/tev_packets.cpp",
        {"numbers of a protocol", {"kCreateImage", "kUpdateImage"}}},
-      {"session/render/render_setup.h",
+      {"session/render/resolved_render.h",
        {"defaults of parameters", {"kDefaultSamples", "kReplicates"}}},
       {"mcmc/path_space/inverse_probability.h", {"precision of a type", {"kNegligible"}}},
       {"mcmc/path_space/manifold_connection.cpp", {"rounding", {"kRounding"}}},

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "import/pbrt/pbrt_import.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 
 /// Auxiliary buffers of a scene.
 namespace ajar {

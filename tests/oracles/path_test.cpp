@@ -91,7 +91,7 @@ TEST_P(Paths, HaveTheContributionOfTheSampler) {
       ASSERT_NO_THROW(verify(*scene, settings, path, contribution));
       const auto factor =
           static_cast<float>(tries(settings, contribution.technique) /
-                             (contribution.mis_weight * double{contribution.chance}));
+                             (contribution.mis_weight * double{contribution.roulette_weight}));
       errors.push_back(relative_difference(contribution.value * factor,
                                            throughput(*scene, path, contribution.technique)));
       ++by_technique[{contribution.technique.s, contribution.technique.t}];

@@ -6,7 +6,7 @@
 
 #include "session/job/preparation.h"
 #include "session/job/render_job.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 

@@ -14,7 +14,7 @@
 #include "session/checkpoint/checkpoint.h"
 #include "session/job/preparation.h"
 #include "session/job/render_job.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "session/testing/thread_ranks.h"
 #include "session/version.h"
 #include "support/render.h"

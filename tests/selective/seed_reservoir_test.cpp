@@ -55,7 +55,8 @@ class Comparison final : public OutlierSinkFactory {
       EXPECT_EQ(target->technique()->technique, path.technique);
       double expected = static_cast<double>(
           path.strength *
-          Division::above(path.strength, static_cast<float>(all_.prepared_.lowest_threshold())));
+          Division::chain_fraction(path.strength,
+                                   static_cast<float>(all_.prepared_.lowest_threshold())));
       if (path.technique.s >= 2) expected *= all_.light_paths_;
       // Chains look over a larger area where filters reach beyond the film.
       if (path.technique.t == 1)

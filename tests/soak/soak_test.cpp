@@ -16,7 +16,7 @@
 #include "session/checkpoint/checkpoint_writer.h"
 #include "session/job/preparation.h"
 #include "session/job/render_job.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "session/version.h"
 #include "support/render.h"
 #include "support/small_scenes.h"

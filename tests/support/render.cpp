@@ -12,7 +12,7 @@
 #include "integrator/integrator.h"
 #include "session/job/preparation.h"
 #include "session/job/render_job.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "session/scenes/scene_file.h"
 
 namespace ajar::test {
@@ -76,7 +76,7 @@ void skip_preparation_after(int rounds, Integrator& integrator) {
       integrator.prepare_item(round, item, counters);
     }
   }
-  integrator.skip_preparation(Shortage::Time);
+  integrator.skip_preparation(PreparationCut::Time);
 }
 
 std::vector<float> Render::image() const { return light(*this, std::nullopt); }

@@ -15,7 +15,7 @@
 #include "session/job/progress.h"
 #include "session/job/resources.h"
 #include "session/render/memory_estimate.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "session/scenes/scene_file.h"
 
 namespace ajar::cli {
@@ -158,8 +158,8 @@ MemoryEstimate memory_of(const desc::SceneDesc& description) {
                                          LayerSpec{.name = "indirect"}};
   MemoryEstimate estimate;
   estimate.scene = scene_bytes(description);
-  estimate.film = film_bytes(whole, RenderSetup::kReplicates, layers);
-  estimate.pictures = picture_bytes(whole, RenderSetup::kReplicates, layers, {});
+  estimate.film = film_bytes(whole, ResolvedRender::kReplicates, layers);
+  estimate.pictures = picture_bytes(whole, ResolvedRender::kReplicates, layers, {});
   return estimate;
 }
 

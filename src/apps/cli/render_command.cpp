@@ -14,19 +14,19 @@ namespace ajar::cli {
 
 namespace {
 
-RenderOrder order_of(const SceneArguments& scene, const RunArguments& run) {
-  RenderOrder order;
-  order.scene = scene.scene;
-  order.spec = scene.spec;
-  order.default_pictures = true;
-  order.ranks = run.ranks;
-  order.interrupts = &interrupt_count();
-  order.picture_requests = &picture_requests();
-  return order;
+RenderRequest order_of(const SceneArguments& scene, const RunArguments& run) {
+  RenderRequest request;
+  request.scene = scene.scene;
+  request.spec = scene.spec;
+  request.default_pictures = true;
+  request.ranks = run.ranks;
+  request.interrupts = &interrupt_count();
+  request.picture_requests = &picture_requests();
+  return request;
 }
 
 void check_share(const RenderSpec& spec) {
-  if (spec.share == WorkShare()) return;
+  if (spec.share == WorkSlice()) return;
   if (spec.checkpoint.empty()) {
     throw UsageError("--share needs --checkpoint: a share is of no use but for ajar merge");
   }
@@ -36,11 +36,12 @@ void check_share(const RenderSpec& spec) {
 }
 
 /// Renders, and tells the user. Returns the exit code.
-int carry_out(RenderOrder order, const std::string& progress) {
-  const ProgressStyle style =
-      order.is_root() ? progress_style(progress, isatty(STDERR_FILENO) != 0) : ProgressStyle::None;
-  Console console(style, order.scene, order.resumed.has_value());
-  Render render(std::move(order), console);
+int carry_out(RenderRequest request, const std::string& progress) {
+  const ProgressStyle style = request.is_root()
+                                  ? progress_style(progress, isatty(STDERR_FILENO) != 0)
+                                  : ProgressStyle::None;
+  Console console(style, request.scene, request.resumed.has_value());
+  Render render(std::move(request), console);
   const RenderOutcome& outcome = render.run();
   if (!outcome.all_written()) return kExitFile;
   return outcome.interrupted ? kExitInterrupted : 0;
@@ -49,21 +50,21 @@ int carry_out(RenderOrder order, const std::string& progress) {
 }  // namespace
 
 int render(const RenderArguments& a) {
-  RenderOrder order = order_of(a.scene, a.run);
-  RenderSpec& spec = order.spec;
+  RenderRequest request = order_of(a.scene, a.run);
+  RenderSpec& spec = request.spec;
   if (spec.denoise.empty()) spec.denoise = "auto";
   check_share(spec);
-  lock_checkpoint_of(order);
-  if (!spec.resume_from.empty() && !resume_if_there(spec.resume_from, order)) {
+  lock_checkpoint_of(request);
+  if (!spec.resume_from.empty() && !resume_if_there(spec.resume_from, request)) {
     print_note("there is no " + spec.resume_from + " yet: the render begins anew");
   }
-  return carry_out(std::move(order), a.run.progress);
+  return carry_out(std::move(request), a.run.progress);
 }
 
 int resume(const ResumeArguments& a) {
-  RenderOrder order = order_of(a.scene, a.run);
-  resume_from(a.checkpoint, order);
-  return carry_out(std::move(order), a.run.progress);
+  RenderRequest request = order_of(a.scene, a.run);
+  resume_from(a.checkpoint, request);
+  return carry_out(std::move(request), a.run.progress);
 }
 
 }  // namespace ajar::cli

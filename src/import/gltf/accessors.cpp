@@ -260,8 +260,9 @@ void Accessors::take_memory(const Element& user, std::uint64_t bytes) {
   constexpr std::uint64_t kAskEvery = std::uint64_t{1} << 26U;
   unasked_bytes_ += bytes;
   if (unasked_bytes_ < kAskEvery) return;
-  if (const std::string shortage = memory_shortage(unasked_bytes_); !shortage.empty()) {
-    user.fail("this " + shortage);
+  if (const std::string preparation_cut = memory_shortage(unasked_bytes_);
+      !preparation_cut.empty()) {
+    user.fail("this " + preparation_cut);
   }
   unasked_bytes_ = 0;
 }

@@ -64,8 +64,9 @@ std::optional<std::string> inflate_stream(std::string_view bytes, StreamKind kin
       const std::size_t wanted = std::max<std::size_t>(2 * used, 4 * bytes.size() + 4096);
       const std::size_t size = std::min(wanted, max_size);
       // Old and new contents are there together while they move.
-      if (const std::string shortage = memory_shortage(used + size); !shortage.empty()) {
-        throw IoError("unpacked, this file " + shortage);
+      if (const std::string preparation_cut = memory_shortage(used + size);
+          !preparation_cut.empty()) {
+        throw IoError("unpacked, this file " + preparation_cut);
       }
       result.resize(size);
     }

@@ -130,8 +130,9 @@ desc::DensityGridPointer CloudGrids::get(const Cloud& cloud, const SourceLocatio
   if (is_new) {
     const std::uint64_t most_points = points_left_ / 2;
     const std::uint64_t points = product(lattice_of(cloud, most_points));
-    if (const std::string shortage = memory_shortage(sizeof(float) * points); !shortage.empty()) {
-      throw SceneError(where, "the grid of this cloud " + shortage);
+    if (const std::string preparation_cut = memory_shortage(sizeof(float) * points);
+        !preparation_cut.empty()) {
+      throw SceneError(where, "the grid of this cloud " + preparation_cut);
     }
     made.is_coarse = is_finer_than_grids(cloud, most_points);
     made.grid = make_grid(tabulate(cloud, most_points), where, name, warnings);

@@ -207,8 +207,8 @@ class TreeReader {
                        " voxels, which are more than " + std::to_string(most_voxels_));
     }
     count_ = static_cast<std::uint64_t>(count);
-    const std::string shortage = memory_shortage(count_ * sizeof(float));
-    if (!shortage.empty()) fail(where_, "the grid " + shortage);
+    const std::string preparation_cut = memory_shortage(count_ * sizeof(float));
+    if (!preparation_cut.empty()) fail(where_, "the grid " + preparation_cut);
   }
 
   template <typename Root>

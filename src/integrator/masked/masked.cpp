@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/meaningless_parameters.h"
+#include "core/inactive_parameters.h"
 #include "core/random.h"
 #include "core/random_use.h"
 #include "image/statistics.h"
@@ -35,7 +35,7 @@ namespace {
 std::vector<ParameterSpec> parameters_of_chain(const std::string& chain) {
   if (chain == "mlt") return mlt_parameters();
   if (chain == "erpt") return erpt_parameters();
-  return metropolis_parameters(chain == "pssmlt" ? ChainKind::WholePath : ChainKind::OnePath);
+  return metropolis_parameters(chain == "pssmlt" ? ChainSpace::Pssmlt : ChainSpace::Mmlt);
 }
 
 /// Parameters that are passed on to the chains, and which chains have them.
@@ -134,7 +134,7 @@ class MaskedIntegrator final : public Integrator {
 
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
-  void skip_preparation(Shortage of) override;
+  void skip_preparation(PreparationCut of) override;
   Findings findings() const override;
 
   std::vector<LayerSpec> layers() const override;
@@ -150,8 +150,8 @@ class MaskedIntegrator final : public Integrator {
   bool keeps_state() const override { return chains_ && chains_->keeps_state(); }
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive, std::uint64_t samples) override;
-  void give_news(OutputArchive& archive, const WorkShare& share) override;
-  void take_news(InputArchive& archive, const WorkShare& share) override;
+  void export_delta(OutputArchive& archive, const WorkSlice& slice) override;
+  void import_delta(InputArchive& archive, const WorkSlice& slice) override;
   std::uint64_t memory_bytes() const override { return chains_ ? chains_->memory_bytes() : 0; }
 
  private:
@@ -174,8 +174,8 @@ class MaskedIntegrator final : public Integrator {
   std::uint64_t omc_samples(std::uint64_t samples) const { return kept_ + samples; }
   std::uint64_t mutations(std::uint64_t samples) const { return samples * mutations_; }
   /// Share of the chains' items, which come after the others in a pass.
-  WorkShare share_of_chains(const WorkShare& share) const {
-    return {(share.index + share.count - omc_items() % share.count) % share.count, share.count};
+  WorkSlice slice_of_chains(const WorkSlice& slice) const {
+    return {(slice.index + slice.count - omc_items() % slice.count) % slice.count, slice.count};
   }
 
   const Scene& scene_;
@@ -196,7 +196,7 @@ class MaskedIntegrator final : public Integrator {
   std::vector<double> region_noise_;
   std::optional<Divisions> mask_;  ///< σ
   std::uint64_t kept_ = 0;         ///< camera samples per pixel of a pilot that is kept
-  std::optional<Shortage> shortage_;
+  std::optional<PreparationCut> preparation_cut_;
 
   std::unique_ptr<Integrator> omc_;
   std::unique_ptr<Integrator> chains_;  ///< null: all light is of ordinary Monte Carlo
@@ -212,7 +212,7 @@ MaskedIntegrator::MaskedIntegrator(const Scene& scene, const RenderSettings& set
            static_cast<float>(parameters.get_float("epsilon"))},
       pilot_samples_(static_cast<std::uint64_t>(parameters.get_int("pilot-samples"))),
       mutations_(static_cast<std::uint64_t>(parameters.get_int("mutations"))) {
-  refuse_meaningless(masked_parameters(), parameters);
+  refuse_inactive(masked_parameters(), parameters);
   if (map_.window == 4) throw UsageError("window: 3 or 5 pixels, not 4");
   // Replicates have as many samples each.
   const auto replicates = static_cast<std::uint64_t>(settings.replicates);
@@ -231,7 +231,7 @@ PreparationRound MaskedIntegrator::begin_preparation(int round) {
     return {.items = surface_pilot_->begin(),
             .effort = surface_pilot_->effort(),
             .later_effort = samples + chain_effort(),
-            .later_stays = keeps ? samples : 0.0};
+            .later_kept_effort = keeps ? samples : 0.0};
   }
   if (round == kRunPilot) {
     surface_pilot_->end();
@@ -263,8 +263,8 @@ void MaskedIntegrator::prepare_item(int round, std::uint64_t item, Counters& cou
   }
 }
 
-void MaskedIntegrator::skip_preparation(Shortage of) {
-  shortage_ = of;
+void MaskedIntegrator::skip_preparation(PreparationCut of) {
+  preparation_cut_ = of;
   kept_ = 0;
   mask_.reset();
   noise_.reset();
@@ -291,8 +291,8 @@ void MaskedIntegrator::begin_pilot() {
     own.seed = hash_numbers(own.seed, RandomUse::DivisionPilot);
     own.aovs.clear();
   }
-  everything_.emplace(
-      Division(own.crop, {{.threshold = 0.F, .target = 0.F, .kept = 0.F}}, uniform_));
+  everything_.emplace(Division(
+      own.crop, {{.threshold = 0.F, .target_scale = 0.F, .deposit_scale = 0.F}}, uniform_));
   pilot_ = make_path_integrator(scene_, own, omc_parameters(), {.divisions = &*everything_});
   pilot_film_ = std::make_unique<Film>(own.resolution, own.crop, make_filter(scene_.film().filter),
                                        own.replicates, pilot_->layers());
@@ -314,7 +314,8 @@ void MaskedIntegrator::make_mask() {
     const float weight = user_.painted.empty() ? sigma[regions.labels[i]] : user_.painted[i];
     const bool is_exclusive = parameters_.get_text("choice") == "exclusive";
     const float whole = weight > map_.epsilon ? 1.F : 0.F;
-    pixels.push_back({.threshold = 0.F, .target = weight, .kept = is_exclusive ? whole : weight});
+    pixels.push_back(
+        {.threshold = 0.F, .target_scale = weight, .deposit_scale = is_exclusive ? whole : weight});
   }
   mask_.emplace(Division(settings_.crop, std::move(pixels), uniform_));
   if (parameters_.get_text("pilot") == "keep") {
@@ -351,9 +352,8 @@ void MaskedIntegrator::make_chains() {
   } else if (chain == "erpt") {
     chains_ = make_erpt_integrator(scene_, own, parameters, sigma);
   } else {
-    chains_ =
-        make_metropolis_integrator(chain == "pssmlt" ? ChainKind::WholePath : ChainKind::OnePath,
-                                   scene_, own, parameters, sigma);
+    chains_ = make_metropolis_integrator(chain == "pssmlt" ? ChainSpace::Pssmlt : ChainSpace::Mmlt,
+                                         scene_, own, parameters, sigma);
   }
 }
 
@@ -401,7 +401,7 @@ void MaskedIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t samp
       for (std::size_t i = 0; 3 * i < sums.size(); ++i) {
         const int index = static_cast<int>(i);
         const Vec2i pixel = first + Vec2i(index % film.width(), index / film.width());
-        const float kept = mask_->of(0).at(Vec2(pixel) + Vec2(0.5F, 0.5F)).kept;
+        const float kept = mask_->of(0).at(Vec2(pixel) + Vec2(0.5F, 0.5F)).deposit_scale;
         const Spectrum sum(sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]);
         film.add(film.layer(name), replicate, pixel, sum * (1.F - kept));
         if (strong != film.layers().end()) {
@@ -440,7 +440,7 @@ Plane MaskedIntegrator::importance() const {
   for (int y = 0; y < plane.size.y; ++y) {
     for (int x = 0; x < plane.size.x; ++x) {
       const Vec2 middle = Vec2(settings_.crop.min + Vec2i(x, y)) + Vec2(0.5F, 0.5F);
-      plane.at(x, y) = mask_->of(0).at(middle).kept;
+      plane.at(x, y) = mask_->of(0).at(middle).deposit_scale;
     }
   }
   return plane;
@@ -450,8 +450,8 @@ Findings MaskedIntegrator::findings() const {
   Findings found = omc_->findings();
   if (!chains_) {
     found.maps = black_region_layers(settings_.aovs, settings_.crop);
-    if (shortage_) {
-      const char* missing = *shortage_ == Shortage::Time ? "time" : "samples";
+    if (preparation_cut_) {
+      const char* missing = *preparation_cut_ == PreparationCut::Time ? "time" : "samples";
       found.notes = {std::string("too little ") + missing +
                      " for the mask: rendered by ordinary Monte Carlo; for Markov chains, begin "
                      "anew with more " +
@@ -491,12 +491,12 @@ void MaskedIntegrator::load_state(InputArchive& archive, std::uint64_t samples) 
   if (chains_) chains_->load_state(archive, mutations(samples));
 }
 
-void MaskedIntegrator::give_news(OutputArchive& archive, const WorkShare& share) {
-  if (chains_) chains_->give_news(archive, share_of_chains(share));
+void MaskedIntegrator::export_delta(OutputArchive& archive, const WorkSlice& slice) {
+  if (chains_) chains_->export_delta(archive, slice_of_chains(slice));
 }
 
-void MaskedIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
-  if (chains_) chains_->take_news(archive, share_of_chains(share));
+void MaskedIntegrator::import_delta(InputArchive& archive, const WorkSlice& slice) {
+  if (chains_) chains_->import_delta(archive, slice_of_chains(slice));
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ void ChainFilmSink::deposit(std::span<const Splat> splats, double factor) {
   for (const Splat& splat : splats) {
     const int layer = light_[static_cast<std::size_t>(splat.layer)];
     Spectrum value = splat.value * static_cast<float>(factor * scale_);
-    if (part_ != nullptr && splat.layer == kIndirectSplat) value *= part_->kept(splat.raster);
+    if (part_ != nullptr && splat.layer == kIndirectSplat)
+      value *= part_->deposit_scale(splat.raster);
     if (!film_.splat(layer, replicate_, splat.raster, value)) ++counters_.discarded_infinite;
     if (density_ < 0 && visits_ == nullptr) continue;
     const double share = factor * static_cast<double>(luminance(splat.value)) *

@@ -51,7 +51,7 @@ class ChainIntegrator final : public ChainMethod {
 
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
-  void skip_preparation(Shortage of) override;
+  void skip_preparation(PreparationCut of) override;
 
   std::uint64_t items_in_round() const override;
   void begin_pass(std::uint64_t first_sample, std::uint64_t samples, Film& film) override;
@@ -61,8 +61,8 @@ class ChainIntegrator final : public ChainMethod {
 
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive, std::uint64_t samples) override;
-  void give_news(OutputArchive& archive, const WorkShare& share) override;
-  void take_news(InputArchive& archive, const WorkShare& share) override;
+  void export_delta(OutputArchive& archive, const WorkSlice& slice) override;
+  void import_delta(InputArchive& archive, const WorkSlice& slice) override;
   std::uint64_t memory_bytes() const override;
 
  private:
@@ -141,7 +141,7 @@ void ChainIntegrator<Space>::seed() {
 }
 
 template <typename Space>
-void ChainIntegrator<Space>::skip_preparation(Shortage of) {
+void ChainIntegrator<Space>::skip_preparation(PreparationCut of) {
   populations_.clear();
   ChainMethod::skip_preparation(of);
 }
@@ -280,21 +280,21 @@ void ChainIntegrator<Space>::load_state(InputArchive& archive, std::uint64_t sam
 }
 
 template <typename Space>
-void ChainIntegrator<Space>::give_news(OutputArchive& archive, const WorkShare& share) {
+void ChainIntegrator<Space>::export_delta(OutputArchive& archive, const WorkSlice& slice) {
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (!share.has(i)) continue;
+    if (!slice.has(i)) continue;
     space_.save(archive, scene(), populations_[items_[i].population].chains[items_[i].chain]);
   }
-  if (space_.maps() != nullptr) space_.maps()->give_news(archive);
+  if (space_.maps() != nullptr) space_.maps()->export_delta(archive);
 }
 
 template <typename Space>
-void ChainIntegrator<Space>::take_news(InputArchive& archive, const WorkShare& share) {
+void ChainIntegrator<Space>::import_delta(InputArchive& archive, const WorkSlice& slice) {
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (!share.has(i)) continue;
+    if (!slice.has(i)) continue;
     space_.load(archive, scene(), populations_[items_[i].population].chains[items_[i].chain]);
   }
-  if (space_.maps() != nullptr) space_.maps()->take_news(archive);
+  if (space_.maps() != nullptr) space_.maps()->import_delta(archive);
 }
 
 template <typename Space>

@@ -61,7 +61,7 @@ ChainMethod::ChainMethod(const Scene& scene, const RenderSettings& settings, Cha
 
 /// Without a bootstrap there is neither a seed nor b: ordinary Monte Carlo with the same techniques
 /// makes the same picture.
-void ChainMethod::skip_preparation(Shortage /*of*/) {
+void ChainMethod::skip_preparation(PreparationCut /*of*/) {
   RenderSettings own = settings_;
   own.max_depth = order_.sampler.max_depth;
   std::erase_if(own.aovs, is_chain_layer);

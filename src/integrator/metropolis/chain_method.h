@@ -32,7 +32,7 @@ class ChainMethod : public Integrator {
  public:
   ChainMethod(const Scene& scene, const RenderSettings& settings, ChainOrder order);
 
-  void skip_preparation(Shortage of) override;
+  void skip_preparation(PreparationCut of) override;
   Findings findings() const override;
   std::vector<LayerSpec> layers() const override;
   bool is_of_chains(std::uint64_t /*item*/) const override { return !unprepared_; }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/archive.h"
-#include "core/meaningless_parameters.h"
+#include "core/inactive_parameters.h"
 #include "core/random_use.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/chain_method.h"
@@ -52,8 +52,8 @@ class EnergyRedistribution final : public ChainMethod {
 
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive, std::uint64_t samples) override;
-  void give_news(OutputArchive& archive, const WorkShare& share) override;
-  void take_news(InputArchive& archive, const WorkShare& share) override;
+  void export_delta(OutputArchive& archive, const WorkSlice& slice) override;
+  void import_delta(InputArchive& archive, const WorkSlice& slice) override;
 
  private:
   using Measured = PopulationOf<typename Space::Member>;
@@ -255,16 +255,16 @@ void EnergyRedistribution<Space>::load_state(InputArchive& archive, std::uint64_
 }
 
 template <typename Space>
-void EnergyRedistribution<Space>::give_news(OutputArchive& archive, const WorkShare& share) {
+void EnergyRedistribution<Space>::export_delta(OutputArchive& archive, const WorkSlice& slice) {
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (share.has(i)) archive(items_[i]);
+    if (slice.has(i)) archive(items_[i]);
   }
 }
 
 template <typename Space>
-void EnergyRedistribution<Space>::take_news(InputArchive& archive, const WorkShare& share) {
+void EnergyRedistribution<Space>::import_delta(InputArchive& archive, const WorkSlice& slice) {
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (share.has(i)) archive(items_[i]);
+    if (slice.has(i)) archive(items_[i]);
   }
 }
 
@@ -324,11 +324,11 @@ std::vector<ParameterSpec> erpt_parameters() {
 std::unique_ptr<Integrator> make_erpt_integrator(const Scene& scene, const RenderSettings& settings,
                                                  const Parameters& parameters,
                                                  const ChainWeight* part) {
-  refuse_meaningless(erpt_parameters(), parameters);
+  refuse_inactive(erpt_parameters(), parameters);
   ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
   order.part = part;
   const bool of_paths = parameters.get_text("chain") == "mlt";
-  order.groups = make_path_groups(scene, of_paths ? ChainKind::SpreadPath : ChainKind::WholePath,
+  order.groups = make_path_groups(scene, of_paths ? ChainSpace::Erpt : ChainSpace::Pssmlt,
                                   order.sampler, parameters.get_int("roulette-start"));
   if (of_paths) {
     return std::make_unique<EnergyRedistribution<PathSpace>>(scene, settings, std::move(order),

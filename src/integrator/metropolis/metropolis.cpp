@@ -10,21 +10,21 @@
 
 namespace ajar {
 
-std::vector<ParameterSpec> metropolis_parameters(ChainKind kind) {
+std::vector<ParameterSpec> metropolis_parameters(ChainSpace kind) {
   std::vector<ParameterSpec> specs = {techniques_parameter("bdpt"), heuristic_parameter()};
   specs.back().expert = true;
   for (ParameterSpec& spec : ChainMoves::parameters({})) specs.push_back(std::move(spec));
-  if (kind == ChainKind::OnePath) add_mmlt_extensions(specs);
+  if (kind == ChainSpace::Mmlt) add_mmlt_extensions(specs);
   specs.push_back(bootstrap_parameter());
   specs.push_back(chains_parameter());
-  if (kind == ChainKind::WholePath) {
+  if (kind == ChainSpace::Pssmlt) {
     specs.push_back(roulette_start_parameter(3));
     specs.back().expert = true;
   }
   return specs;
 }
 
-std::unique_ptr<Integrator> make_metropolis_integrator(ChainKind kind, const Scene& scene,
+std::unique_ptr<Integrator> make_metropolis_integrator(ChainSpace kind, const Scene& scene,
                                                        const RenderSettings& settings,
                                                        const Parameters& parameters,
                                                        const ChainWeight* part) {
@@ -33,10 +33,10 @@ std::unique_ptr<Integrator> make_metropolis_integrator(ChainKind kind, const Sce
                                   {"heuristic", parameters.get_text("heuristic")}});
   order.groups =
       make_path_groups(scene, kind, order.sampler,
-                       kind == ChainKind::WholePath ? parameters.get_int("roulette-start") : 0);
+                       kind == ChainSpace::Pssmlt ? parameters.get_int("roulette-start") : 0);
   order.part = part;
   const auto chains = static_cast<std::size_t>(parameters.get_int("chains"));
-  PrimarySpace space(kind == ChainKind::OnePath ? mmlt_moves(parameters) : ChainMoves(parameters));
+  PrimarySpace space(kind == ChainSpace::Mmlt ? mmlt_moves(parameters) : ChainMoves(parameters));
   return std::make_unique<ChainIntegrator<PrimarySpace>>(scene, settings, std::move(order), chains,
                                                          std::move(space));
 }

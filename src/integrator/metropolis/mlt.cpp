@@ -21,7 +21,7 @@ std::unique_ptr<Integrator> make_mlt_integrator(const Scene& scene, const Render
                                                 const Parameters& parameters,
                                                 const ChainWeight* part) {
   ChainOrder order = chain_order(settings, parameters, {{"techniques", "bdpt"}});
-  order.groups = make_path_groups(scene, ChainKind::ExplicitPath, order.sampler,
+  order.groups = make_path_groups(scene, ChainSpace::Paths, order.sampler,
                                   parameters.get_int("roulette-start"));
   if (parameters.get_float("bidirectional") == 0.0) {
     order.notes = {

@@ -11,7 +11,7 @@ namespace ajar {
 
 namespace {
 
-PathGroup group_of_all_depths(const Scene& scene, ChainKind kind, PathClass paths,
+PathGroup group_of_all_depths(const Scene& scene, ChainSpace kind, PathClass paths,
                               PathSamplerSettings sampler, int roulette_start) {
   sampler.roulette_start = roulette_start;
   return {kind,
@@ -33,26 +33,26 @@ std::vector<PathGroup> groups_by_depth(PathClass paths, PathSamplerSettings samp
     own.min_depth = depth;
     own.max_depth = depth;
     groups.push_back(
-        {ChainKind::OnePath, paths, depth, own, choice, {depth + 1, depth + 1}, nullptr});
+        {ChainSpace::Mmlt, paths, depth, own, choice, {depth + 1, depth + 1}, nullptr});
   }
   return groups;
 }
 
 }  // namespace
 
-std::vector<PathGroup> make_path_groups(const Scene& scene, ChainKind kind,
+std::vector<PathGroup> make_path_groups(const Scene& scene, ChainSpace kind,
                                         const PathSamplerSettings& sampler, int roulette_start) {
   if (sampler.min_depth > sampler.max_depth) return {};
-  if (kind == ChainKind::OnePath) return groups_by_depth(PathClass::All, sampler);
-  if (kind != ChainKind::ByPath) {
+  if (kind == ChainSpace::Mmlt) return groups_by_depth(PathClass::All, sampler);
+  if (kind != ChainSpace::Auto) {
     return {group_of_all_depths(scene, kind, PathClass::All, sampler, roulette_start)};
   }
   if (!sampler.techniques.any(TechniqueClass::Implicit)) {
     return groups_by_depth(PathClass::All, sampler);
   }
   std::vector<PathGroup> groups = groups_by_depth(PathClass::Connectible, sampler);
-  groups.push_back(group_of_all_depths(scene, ChainKind::ExplicitPath, PathClass::HitOnly, sampler,
-                                       roulette_start));
+  groups.push_back(group_of_all_depths(scene, ChainSpace::Paths, PathClass::UnidirectionalOnly,
+                                       sampler, roulette_start));
   return groups;
 }
 

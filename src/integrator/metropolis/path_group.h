@@ -14,29 +14,29 @@
 
 namespace ajar {
 
-/// Composition of a chain's states from paths.
-enum class ChainKind {
-  WholePath,     ///< `pssmlt`: a camera and a light subpath with all their connections
-  OnePath,       ///< `mmlt`: one path of one depth and technique
-  ExplicitPath,  ///< `mlt`: one path of any depth, and of no technique
-  SpreadPath,    ///< `erpt`: the same, in chains that end before others begin
-  ByPath         ///< OnePath, and ExplicitPath for `PathClass::HitOnly`
+/// Space of a chain's states.
+enum class ChainSpace {
+  Pssmlt,  ///< `pssmlt`: a camera and a light subpath with all their connections
+  Mmlt,    ///< `mmlt`: one path of one depth and technique
+  Paths,   ///< `mlt`: one path of any depth, and of no technique
+  Erpt,    ///< `erpt`: the same, in chains that end before others begin
+  Auto     ///< Mmlt, and Paths for `PathClass::UnidirectionalOnly`
 };
-constexpr bool is_explicit(ChainKind kind) {
-  return kind == ChainKind::ExplicitPath || kind == ChainKind::SpreadPath;
+constexpr bool is_explicit(ChainSpace kind) {
+  return kind == ChainSpace::Paths || kind == ChainSpace::Erpt;
 }
 /// True if there are chains of one path of one depth and technique.
-constexpr bool has_one_path(ChainKind kind) {
-  return kind == ChainKind::OnePath || kind == ChainKind::ByPath;
+constexpr bool has_one_path(ChainSpace kind) {
+  return kind == ChainSpace::Mmlt || kind == ChainSpace::Auto;
 }
 /// True if there are chains of explicit paths.
-constexpr bool has_explicit(ChainKind kind) {
-  return is_explicit(kind) || kind == ChainKind::ByPath;
+constexpr bool has_explicit(ChainSpace kind) {
+  return is_explicit(kind) || kind == ChainSpace::Auto;
 }
 
 /// Common data of all chains of one kind of path: the depth, or all depths.
 struct PathGroup {
-  ChainKind kind;
+  ChainSpace kind;
   PathClass paths;
   int depth;  ///< edges; 0: all
   PathSamplerSettings sampler;
@@ -51,7 +51,7 @@ struct PathGroup {
 /// Explicit paths start from connections of two subpaths. Of ByPath, the last group is of explicit
 /// paths, if the sampler hits lights at all. Empty if there are no such paths. `scene` must outlive
 /// them.
-std::vector<PathGroup> make_path_groups(const Scene& scene, ChainKind kind,
+std::vector<PathGroup> make_path_groups(const Scene& scene, ChainSpace kind,
                                         const PathSamplerSettings& sampler, int roulette_start);
 /// The share of all bootstrap samples that a group gets: long paths carry little light and cost
 /// much.

@@ -11,10 +11,10 @@
 
 namespace ajar {
 
-// ---------------------------------------------------------------- Lot
+// ---------------------------------------------------------------- PathPicker
 
-void PathSeeds::Lot::begin_sample(const Vec2& raster, std::uint64_t key,
-                                  std::optional<double> place) {
+void PathSeeds::PathPicker::begin_sample(const Vec2& raster, std::uint64_t key,
+                                         std::optional<double> place) {
   begin(raster);
   key_ = key;
   total = 0.0;
@@ -22,32 +22,34 @@ void PathSeeds::Lot::begin_sample(const Vec2& raster, std::uint64_t key,
   place_ = place;
 }
 
-bool PathSeeds::Lot::reaches(const Vec2& raster) const { return seeds_.view_.contains(raster); }
+bool PathSeeds::PathPicker::reaches(const Vec2& raster) const {
+  return seeds_.view_.contains(raster);
+}
 
-double PathSeeds::Lot::brings(const Contribution& contribution) const {
+double PathSeeds::PathPicker::brings(const Contribution& contribution) const {
   const Vec2& raster = contribution.technique.t == 1 ? contribution.raster : this->raster();
   auto brings =
       static_cast<double>(luminance(contribution.value) * seeds_.view_.importance(raster));
   if (seeds_.part_ != nullptr) {
-    brings *= static_cast<double>(seeds_.part_->share(contribution, raster));
+    brings *= static_cast<double>(seeds_.part_->weight(contribution, raster));
   }
   if (contribution.technique.t == 1) brings /= seeds_.view_.area_per_pixel();
   return brings;
 }
 
-bool PathSeeds::Lot::wants(const Contribution& contribution) {
-  if (!has_paths(seeds_.group_.paths, contribution.hit_only)) return false;
+bool PathSeeds::PathPicker::wants(const Contribution& contribution) {
+  if (!has_paths(seeds_.group_.paths, contribution.unidirectional_only)) return false;
   if (chooses()) return !has_chosen();
   // One lane below zero must not hide behind the others.
   if (contribution.value.min() < 0.F) total = std::numeric_limits<double>::quiet_NaN();
-  if (contribution.hit_only && seeds_.by_manifolds_) return true;
+  if (contribution.unidirectional_only && seeds_.by_manifolds_) return true;
   total += brings(contribution);
   return false;
 }
 
-void PathSeeds::Lot::record(const Path& path, const Contribution& contribution) {
+void PathSeeds::PathPicker::record(const Path& path, const Contribution& contribution) {
   double brought = brings(contribution);
-  if (contribution.hit_only && seeds_.by_manifolds_) {
+  if (contribution.unidirectional_only && seeds_.by_manifolds_) {
     brought *= seeds_.manifolds_.hit_share(
         path,
         hash_numbers(key_, RandomUse::ManifoldSeed, static_cast<std::uint64_t>(path.depth())));
@@ -55,7 +57,7 @@ void PathSeeds::Lot::record(const Path& path, const Contribution& contribution) 
   add_path(path, brought);
 }
 
-void PathSeeds::Lot::add_path(const Path& path, double brings) {
+void PathSeeds::PathPicker::add_path(const Path& path, double brings) {
   if (has_chosen() || !(brings > 0.0) || !std::isfinite(brings)) return;
   if (chooses()) {
     if (!std::isfinite(seeds_.log_light(path))) return;
@@ -78,7 +80,7 @@ PathSeeds::PathSeeds(const Scene& scene, const PathGroup& group, const ChainView
       bounds_(bounds_of(group, view)),
       manifolds_(scene, *group.photons, bounds_, manifold_tries),
       by_manifolds_(has_manifolds(group)),
-      lot_(*this) {}
+      picker_(*this) {}
 
 double PathSeeds::log_light(const Path& path) {
   splats_.clear();
@@ -91,11 +93,11 @@ void PathSeeds::sample(SampleSource& numbers, std::optional<double> place) {
   const std::uint64_t key =
       hash_numbers(std::bit_cast<std::uint32_t>(bits.x), RandomUse::ManifoldSeed,
                    std::bit_cast<std::uint32_t>(bits.y));
-  lot_.begin_sample(raster, key, place);
-  if (traces_light_alone(group_.sampler)) sampler_.sample_light(numbers, lot_);
-  sampler_.sample(numbers, raster, lot_);
+  picker_.begin_sample(raster, key, place);
+  if (traces_light_alone(group_.sampler)) sampler_.sample_light(numbers, picker_);
+  sampler_.sample(numbers, raster, picker_);
   const float lot = numbers.get({Stream::Connection, 0, Slot::Roulette});
-  if (by_manifolds_ && !lot_.has_chosen() && double{lot} < manifold_tries_) {
+  if (by_manifolds_ && !picker_.has_chosen() && double{lot} < manifold_tries_) {
     add_manifolds(key);
   }
   count_rays();
@@ -120,8 +122,8 @@ void PathSeeds::add_manifolds(std::uint64_t key) {
     // The last one is chosen if none was before, whatever it brings: to find that out anew may take
     // long.
     const bool is_last = &seed == &seeds.back();
-    if (!lot_.chooses() || !is_last) brings *= manifolds_.inverse_chance(seed);
-    lot_.add_path(seed.path, brings);
+    if (!picker_.chooses() || !is_last) brings *= manifolds_.inverse_chance(seed);
+    picker_.add_path(seed.path, brings);
   }
 }
 
@@ -139,12 +141,12 @@ std::vector<PathSeeds::Joined> PathSeeds::join_by_manifolds(std::uint64_t key) {
 double PathSeeds::evaluate(SampleSource& numbers, const Change& /*change*/,
                            SplatBuffer& /*splats*/) {
   sample(numbers, std::nullopt);
-  return lot_.total;
+  return picker_.total;
 }
 
 std::optional<Path> PathSeeds::choose(SampleSource& numbers, double total, double u) {
   sample(numbers, u * total);
-  return std::move(lot_.chosen);
+  return std::move(picker_.chosen);
 }
 
 std::optional<Path> choose_path(const Scene& scene, const PathGroup& group, const ChainView& view,

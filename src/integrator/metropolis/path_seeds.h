@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "integrator/metropolis/divided_path_weight.h"
 #include "integrator/metropolis/heuristics.h"
 #include "integrator/metropolis/path_group.h"
-#include "integrator/metropolis/path_share.h"
 #include "integrator/metropolis/sample_of_chains.h"
 #include "mcmc/path_space/manifold_seeds.h"
 #include "path/recorder.h"
@@ -55,9 +55,9 @@ class PathSeeds final : public PathTarget {
  private:
   /// Sums path contributions of a sample; picks the path at which the sum passes a place, or the
   /// last one.
-  class Lot final : public PathRecorder {
+  class PathPicker final : public PathRecorder {
    public:
-    explicit Lot(PathSeeds& seeds)
+    explicit PathPicker(PathSeeds& seeds)
         : PathRecorder(seeds.scene_, seeds.group_.sampler), seeds_(seeds) {}
     /// A sample begins. `key` names the randomness that is left for its paths. `place`: of the
     /// sum; empty if no path is to be chosen.
@@ -92,12 +92,12 @@ class PathSeeds final : public PathTarget {
   const ChainView& view_;
   const ChainWeight* part_;
   double manifold_tries_;
-  PathShare share_;
+  DividedPathWeight share_;
   PathSampler sampler_;
   PathBounds bounds_;
   ManifoldSeeds manifolds_;
   bool by_manifolds_;
-  Lot lot_;
+  PathPicker picker_;
   SplatBuffer splats_;
   RayCounts rays_;
 };

@@ -47,10 +47,11 @@ std::vector<double> path_mutation_weights(const Parameters& parameters) {
   return weights;
 }
 
-std::optional<PathShare> PathSpace::share_of(const ChainProblem& problem) {
+std::optional<DividedPathWeight> PathSpace::share_of(const ChainProblem& problem) {
   if (problem.part == nullptr) return std::nullopt;
-  return std::optional<PathShare>(std::in_place, problem.scene, problem.group.sampler,
-                                  problem.view.importance, problem.part, problem.group.paths);
+  return std::optional<DividedPathWeight>(std::in_place, problem.scene, problem.group.sampler,
+                                          problem.view.importance, problem.part,
+                                          problem.group.paths);
 }
 
 std::optional<PathMember> PathSpace::start(const ChainProblem& problem,
@@ -103,7 +104,7 @@ void PathSpace::check(const PathMember& member, const PathGroup& group, double m
 
 void PathSpace::check_state(const ChainProblem& problem, const PathMember& member) {
   SplatBuffer splats;
-  std::optional<PathShare> share = share_of(problem);
+  std::optional<DividedPathWeight> share = share_of(problem);
   if (!std::isfinite(light_on(problem.scene, member.chain.path,
                               bounds_of(problem.group, problem.view), 0, splats,
                               share ? &*share : nullptr))) {

@@ -7,8 +7,8 @@
 
 #include "core/archive_forward.h"
 #include "core/parameters.h"
+#include "integrator/metropolis/divided_path_weight.h"
 #include "integrator/metropolis/member_chain.h"
-#include "integrator/metropolis/path_share.h"
 #include "integrator/metropolis/sample_of_chains.h"
 #include "integrator/metropolis/visit_maps.h"
 #include "mcmc/chain_runner.h"
@@ -72,7 +72,7 @@ class PathSpace {
 
    private:
     PathBounds bounds_;
-    std::optional<PathShare> share_;
+    std::optional<DividedPathWeight> share_;
     PathKernel kernel_;
     ChainRunner runner_;
   };
@@ -84,7 +84,7 @@ class PathSpace {
 
  private:
   /// The weight of paths if chains do not make all light.
-  static std::optional<PathShare> share_of(const ChainProblem& problem);
+  static std::optional<DividedPathWeight> share_of(const ChainProblem& problem);
 
   std::vector<double> weights_;  ///< weights of the mutations
 };

@@ -22,12 +22,12 @@ class SplatSink final : public PathSink {
         first_(splats.size()) {}
 
   void add(const Contribution& contribution) override {
-    if (!has_paths(paths_, contribution.hit_only)) return;
+    if (!has_paths(paths_, contribution.unidirectional_only)) return;
     const std::int32_t layer = splat_layer(contribution.technique.depth());
     const bool from_light = contribution.technique.t == 1;
     const Vec2& raster = from_light ? contribution.raster : raster_;
     Spectrum value = contribution.value;
-    if (part_ != nullptr) value *= part_->share(contribution, raster);
+    if (part_ != nullptr) value *= part_->weight(contribution, raster);
     if (contribution.technique.s >= 2) value *= light_subpaths_;
     if (from_light) {
       value *= static_cast<float>(view_.pixels / view_.area());

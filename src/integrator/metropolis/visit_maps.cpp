@@ -88,24 +88,24 @@ void VisitMaps::load_state(InputArchive& archive) {
   known_.assign(film_.raw().begin(), film_.raw().end());
 }
 
-void VisitMaps::give_news(OutputArchive& archive) {
+void VisitMaps::export_delta(OutputArchive& archive) {
   known_.resize(film_.raw().size());
-  std::vector<std::int64_t> news;
+  std::vector<std::int64_t> delta;
   // Once nothing is gathered there are none.
   if (gathers_) {
-    news.resize(known_.size());
-    std::transform(film_.raw().begin(), film_.raw().end(), known_.begin(), news.begin(),
+    delta.resize(known_.size());
+    std::transform(film_.raw().begin(), film_.raw().end(), known_.begin(), delta.begin(),
                    std::minus<>());
     std::copy(known_.begin(), known_.end(), film_.raw().begin());
   }
-  archive(news);
+  archive(delta);
 }
 
-void VisitMaps::take_news(InputArchive& archive) {
-  std::vector<std::int64_t> news;
-  archive(news);
-  if (news.empty()) return;
-  std::transform(news.begin(), news.end(), known_.begin(), known_.begin(), std::plus<>());
+void VisitMaps::import_delta(InputArchive& archive) {
+  std::vector<std::int64_t> delta;
+  archive(delta);
+  if (delta.empty()) return;
+  std::transform(delta.begin(), delta.end(), known_.begin(), known_.begin(), std::plus<>());
   std::copy(known_.begin(), known_.end(), film_.raw().begin());
 }
 

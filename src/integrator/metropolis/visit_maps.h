@@ -38,8 +38,8 @@ class VisitMaps final : public VisitSink {
   void load_state(InputArchive& archive);
   /// Gives away what this process has counted since it did so last; and takes what one of the
   /// processes has given, which may have been this one.
-  void give_news(OutputArchive& archive);
-  void take_news(InputArchive& archive);
+  void export_delta(OutputArchive& archive);
+  void import_delta(InputArchive& archive);
   std::uint64_t memory_bytes() const { return film_.bytes(); }
   /// Null as long as steps are ordinary.
   const PlaneMoves* moves(int replicate) const {

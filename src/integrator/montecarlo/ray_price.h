@@ -23,7 +23,7 @@ class RayPrice {
       : importance_(&importance), price_(price), rest_(rest) {}
 
   /// Rays that one unit of light is worth there.
-  float worth(const Vec2& raster) const {
+  float rays_per_unit_light(const Vec2& raster) const {
     return (*importance_)(raster) / static_cast<float>(price_);
   }
   /// In luminance · importance.

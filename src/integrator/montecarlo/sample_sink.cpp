@@ -12,7 +12,7 @@ SampleSink::SampleSink(Film& film, const Divisions* divisions, const RayPrice* p
     : film_(film),
       divisions_(divisions),
       price_(price),
-      worth_(static_cast<float>(1.0 / cull_below)),
+      rays_per_unit_light_(static_cast<float>(1.0 / cull_below)),
       layers_{film.layer("direct"), std::max(film.layer(kWeakLayer), film.layer("indirect")),
               film.layer(kStrongLayer)},
       g_buffer_(g_buffer),
@@ -82,8 +82,8 @@ bool SampleSink::reaches(const Vec2& raster) const {
          raster.y - radius.y < static_cast<float>(crop.max.y + 1);
 }
 
-float SampleSink::worth(const Vec2& raster) const {
-  return price_ != nullptr ? price_->worth(raster) : worth_;
+float SampleSink::rays_per_unit_light(const Vec2& raster) const {
+  return price_ != nullptr ? price_->rays_per_unit_light(raster) : rays_per_unit_light_;
 }
 
 void SampleSink::first_vertex(const PathVertex& vertex, const Hit* hit, float distance) {
@@ -150,7 +150,7 @@ void SampleSink::keep_strong(const Contribution& contribution, const Vec2& raste
                    static_cast<double>(parts.light * parts.chains),
                    origin_ + static_cast<std::uint64_t>(contribution.light_subpath),
                    contribution.light_subpath,
-                   contribution.hit_only};
+                   contribution.unidirectional_only};
   const float weight = path.technique.t == 1 ? light_weight_ : weight_;
   path.energy *= static_cast<double>(weight);
   const double survivor_weight = russian_roulette(path.energy, outlier_threshold_, path.key());

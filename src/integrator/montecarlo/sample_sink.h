@@ -39,7 +39,7 @@ class SampleSink final : public PathSink {
 
   void add(const Contribution& whole) override;
   bool reaches(const Vec2& raster) const override;
-  float worth(const Vec2& raster) const override;
+  float rays_per_unit_light(const Vec2& raster) const override;
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override;
 
   /// From now on keeps strong paths, above the threshold of `sink`.
@@ -71,7 +71,7 @@ class SampleSink final : public PathSink {
   const Divisions* divisions_;
   const Division* division_ = nullptr;  ///< division of the replicate
   const RayPrice* price_;
-  float worth_;
+  float rays_per_unit_light_;
   Layers layers_;
   const GBuffer& g_buffer_;
   const TechniqueLayers& techniques_;

@@ -10,7 +10,7 @@ AdaptiveSampling::AdaptiveSampling(const SelectivePreparation& prepared,
                                    const RenderSettings& settings)
     : price_(prepared.ray_price) {
   // Layers of the G-buffer are means over camera samples, and have as many everywhere.
-  const bool has_rates = prepared.config.adaptive_samples && !prepared.shortage &&
+  const bool has_rates = prepared.config.adaptive_samples && !prepared.preparation_cut &&
                          settings.replicates > 1 && GBuffer::layers(settings.aovs, 1.F).empty();
   if (!has_rates) return;
   rates_.emplace(settings.crop, settings.replicates, settings.seed);

@@ -35,7 +35,7 @@ void serialize(A& archive, OutlierPath& path) {
     archive(value);
     path.value.set(lane, value);
   }
-  archive(path.energy, path.sample, path.hit_only);
+  archive(path.energy, path.sample, path.unidirectional_only);
 }
 
 }  // namespace ajar

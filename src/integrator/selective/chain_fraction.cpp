@@ -55,9 +55,9 @@ double chain_fraction(const PilotView& view, const Divisions& divisions) {
     Cell& cell = cell_at(pixel);
     const double light = scale.at(pixel) * static_cast<double>(luminance(found.value));
     if (found.whole) continue;
-    const float left = divisions.of(found.replicate).omc_share(found.strength, found.raster);
-    cell.of_chains +=
-        light * static_cast<double>((1.F - left) / Division::above(found.strength, lowest));
+    const float left = divisions.of(found.replicate).omc_fraction(found.strength, found.raster);
+    cell.of_chains += light * static_cast<double>((1.F - left) /
+                                                  Division::chain_fraction(found.strength, lowest));
   }
   const double sum =
       std::accumulate(cells.begin(), cells.end(), 0.0,

@@ -70,21 +70,22 @@ void ChainScheduler::run(std::uint64_t item, std::uint64_t first_sample, std::ui
 }
 
 template <typename A>
-void ChainScheduler::serialize_chains(A& archive, const WorkShare& share, std::uint64_t first) {
+void ChainScheduler::serialize_chains(A& archive, const WorkSlice& slice, std::uint64_t first) {
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (!share.has(first + i)) continue;
+    if (!slice.has(first + i)) continue;
     serialize_chain(archive, prepared_.scene(),
                     populations_[items_[i].population].chains[items_[i].chain]);
   }
 }
 
-void ChainScheduler::give_news(OutputArchive& archive, const WorkShare& share,
-                               std::uint64_t first) {
-  serialize_chains(archive, share, first);
+void ChainScheduler::export_delta(OutputArchive& archive, const WorkSlice& slice,
+                                  std::uint64_t first) {
+  serialize_chains(archive, slice, first);
 }
 
-void ChainScheduler::take_news(InputArchive& archive, const WorkShare& share, std::uint64_t first) {
-  serialize_chains(archive, share, first);
+void ChainScheduler::import_delta(InputArchive& archive, const WorkSlice& slice,
+                                  std::uint64_t first) {
+  serialize_chains(archive, slice, first);
 }
 
 }  // namespace ajar

@@ -27,10 +27,10 @@ class ChainScheduler {
   void run(std::uint64_t item, std::uint64_t first_sample, std::uint64_t samples, Film& film,
            Counters& counters);
 
-  /// Exchanges the chains of the items of a share with other processes; `first`: number in the pass
+  /// Exchanges the chains of the items of a slice with other processes; `first`: number in the pass
   /// of the first of all items.
-  void give_news(OutputArchive& archive, const WorkShare& share, std::uint64_t first);
-  void take_news(InputArchive& archive, const WorkShare& share, std::uint64_t first);
+  void export_delta(OutputArchive& archive, const WorkSlice& slice, std::uint64_t first);
+  void import_delta(InputArchive& archive, const WorkSlice& slice, std::uint64_t first);
 
  private:
   struct Item {
@@ -39,7 +39,7 @@ class ChainScheduler {
   };
 
   template <typename A>
-  void serialize_chains(A& archive, const WorkShare& share, std::uint64_t first);
+  void serialize_chains(A& archive, const WorkSlice& slice, std::uint64_t first);
   void share_mutations();
   double share_of(int replicate) const {
     return shares_[static_cast<std::size_t>(replicate) % shares_.size()];

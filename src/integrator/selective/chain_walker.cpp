@@ -42,7 +42,7 @@ class PathWalker final : public ChainWalker {
   RayCounts ray_counts() const override { return kernel_.ray_counts(); }
 
  private:
-  PathShare share_;
+  DividedPathWeight share_;
   PathBounds bounds_;
   PathKernel kernel_;
   ChainRunner runner_;
@@ -60,8 +60,8 @@ std::span<const Move> moves_of(const PathGroup& group) {
   return is_explicit(group.kind) ? path_moves() : primary_moves();
 }
 
-PathShare path_share_of(const SelectivePreparation& prepared, const PathGroup& group,
-                        int replicate) {
+DividedPathWeight path_share_of(const SelectivePreparation& prepared, const PathGroup& group,
+                                int replicate) {
   return {prepared.scene(), group.sampler, prepared.view.importance, prepared.part_of(replicate),
           group.paths};
 }

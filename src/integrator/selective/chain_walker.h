@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "integrator/metropolis/path_share.h"
+#include "integrator/metropolis/divided_path_weight.h"
 #include "integrator/selective/preparation.h"
 #include "integrator/selective/selective_chain.h"
 #include "mcmc/chain_runner.h"
@@ -32,7 +32,7 @@ std::unique_ptr<ChainWalker> make_chain_walker(const SelectivePreparation& prepa
 std::span<const Move> moves_of(const PathGroup& group);
 
 /// Weight of explicit paths for the chains of one group in a replicate. `prepared` must outlive it.
-PathShare path_share_of(const SelectivePreparation& prepared, const PathGroup& group,
-                        int replicate);
+DividedPathWeight path_share_of(const SelectivePreparation& prepared, const PathGroup& group,
+                                int replicate);
 
 }  // namespace ajar

@@ -35,9 +35,9 @@ ParameterSpec light_paths_spec() {
   return spec;
 }
 
-ChainKind kind_of(const std::string& chain) {
-  if (chain == "mlt") return ChainKind::ExplicitPath;
-  return chain == "mmlt" ? ChainKind::OnePath : ChainKind::ByPath;
+ChainSpace kind_of(const std::string& chain) {
+  if (chain == "mlt") return ChainSpace::Paths;
+  return chain == "mmlt" ? ChainSpace::Mmlt : ChainSpace::Auto;
 }
 
 /// Cross-fitting needs two replicates in each half, which tell a variance.
@@ -87,7 +87,7 @@ ChainView view_with_importance(const Scene& scene, const RenderSettings& setting
   return view;
 }
 
-PrimarySettings primary_moves_of(ChainKind kind) {
+PrimarySettings primary_moves_of(ChainSpace kind) {
   PrimarySettings moves;
   if (is_explicit(kind)) {
     moves.probabilities = {.large = 0.0};

@@ -36,7 +36,7 @@ struct SelectiveConfig {
 
   const Scene& scene;
   RenderSettings settings;
-  ChainKind kind;  ///< OnePath, ExplicitPath or ByPath
+  ChainSpace kind;  ///< OnePath, ExplicitPath or ByPath
   Objective objective;
   PilotSamples pilot;
   std::uint64_t pilot_samples;  ///< per pixel, at least

@@ -81,7 +81,7 @@ class DivisionPilot::Sink final : public OutlierSink {
   /// Keeps a path, if it carries little only by Russian roulette.
   void keep(const OutlierPath& path) {
     const PixelDivision& division = pilot_.prepared_.divisions->of(path.replicate).at(path.raster);
-    const float above = Division::above(path.strength, division.threshold);
+    const float above = Division::chain_fraction(path.strength, division.threshold);
     const auto energy = static_cast<float>(path.energy);
     PilotPath light = light_of(path, energy / above);
     light.weight = static_cast<float>(
@@ -172,8 +172,8 @@ Division DivisionPilot::division_of(const RegionChoice& choice) const {
   for (const std::uint32_t label : labels) pixels.push_back(choice.regions[label]);
   const std::vector<float>& painted = prepared_.config.regions.painted;
   for (std::size_t i = 0; i < painted.size(); ++i) {
-    pixels[i].target = painted[i];
-    pixels[i].kept = painted[i];
+    pixels[i].target_scale = painted[i];
+    pixels[i].deposit_scale = painted[i];
   }
   return {prepared_.config.settings.crop, std::move(pixels), prepared_.view.importance};
 }
@@ -216,10 +216,10 @@ void DivisionPilot::hand_over(Film& film) {
   for (const PilotPath& found : found_) {
     const Division& division = prepared_.divisions->of(found.replicate);
     // Beside the share below the lowest threshold, which is on the film already.
-    const float above = Division::above(found.strength, lowest);
+    const float above = Division::chain_fraction(found.strength, lowest);
     const float left =
         found.whole ? 1.F
-                    : (above - 1.F + division.omc_share(found.strength, found.raster)) / above;
+                    : (above - 1.F + division.omc_fraction(found.strength, found.raster)) / above;
     film.splat(weak, found.replicate, found.raster, found.value * left);
     if (strong >= 0) film.splat(strong, found.replicate, found.raster, found.value * -left);
   }

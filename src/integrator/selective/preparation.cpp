@@ -22,7 +22,7 @@ ChosenTechniques choose_techniques(const SelectiveConfig& config, const PathFami
                                            path_family_defaults("bdpt").roulette_start),
                           {}};
   if (is_explicit(config.kind)) {
-    chosen.depth_groups = make_path_groups(config.scene, ChainKind::OnePath, sampler, 0);
+    chosen.depth_groups = make_path_groups(config.scene, ChainSpace::Mmlt, sampler, 0);
   }
   return chosen;
 }
@@ -42,7 +42,7 @@ const PathGroup& SelectivePreparation::group_of(int depth) const {
 
 const PathGroup& SelectivePreparation::group_of(const OutlierPath& found) const {
   const PathGroup& last = techniques.groups.back();
-  if (is_explicit(last.kind) && has_paths(last.paths, found.hit_only)) return last;
+  if (is_explicit(last.kind) && has_paths(last.paths, found.unidirectional_only)) return last;
   return group_of(found.technique.depth());
 }
 

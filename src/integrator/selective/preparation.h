@@ -56,7 +56,7 @@ struct SelectivePreparation {
   std::uint64_t pilot_tried = 0;  ///< camera samples that chains might start from
 
   /// Reason why the preparation was cut short; ordinary Monte Carlo alone renders then.
-  std::optional<Shortage> shortage;
+  std::optional<PreparationCut> preparation_cut;
 
   const Scene& scene() const { return config.scene; }
   std::uint64_t pixels() const { return config.pixels(); }

@@ -121,10 +121,10 @@ std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view,
     for (const DividedPath& path : paths) {
       const float above =
           i < thresholds.size()
-              ? Division::above(path.strength,
-                                static_cast<float>(thresholds[i] * view.prepared.brightness))
+              ? Division::chain_fraction(
+                    path.strength, static_cast<float>(thresholds[i] * view.prepared.brightness))
               : 0.F;
-      const float more = path.light * (Division::above(path.strength, lowest) - above);
+      const float more = path.light * (Division::chain_fraction(path.strength, lowest) - above);
       light[path.replicate][path.pixel] += more;
       by_roulette[path.pixel] += static_cast<double>(more * more * path.roulette);
       regions[view.regions().labels[path.pixel]].light[i] +=

@@ -119,8 +119,8 @@ MethodReport report_division(const SelectiveStatus& status) {
 std::vector<std::string> notes_on(const SelectiveStatus& status) {
   const SelectivePreparation& prepared = status.prepared;
   const std::string omc = name_of(prepared.techniques.omc.techniques);
-  if (prepared.shortage) {
-    const bool of_time = prepared.shortage == Shortage::Time;
+  if (prepared.preparation_cut) {
+    const bool of_time = prepared.preparation_cut == PreparationCut::Time;
     return {std::string(of_time ? "too little time" : "too few samples") +
             " to look for difficult light: rendered by plain " + omc +
             "; for Markov chains, begin anew with more " + (of_time ? "time" : "samples")};
@@ -152,10 +152,11 @@ MethodReport report_on(const SelectiveStatus& status) {
 
 Plane chain_importance(const SelectivePreparation& prepared) {
   const auto whole = static_cast<float>(prepared.brightness);
-  const float most = Division::above(whole, static_cast<float>(prepared.lowest_threshold()));
+  const float most =
+      Division::chain_fraction(whole, static_cast<float>(prepared.lowest_threshold()));
   const auto fraction = [&](int replicate, const Vec2& place) {
     const PixelDivision& pixel = prepared.divisions->of(replicate).at(place);
-    return pixel.kept * Division::above(whole, pixel.threshold) / most;
+    return pixel.deposit_scale * Division::chain_fraction(whole, pixel.threshold) / most;
   };
   Plane plane(prepared.surfaces.regions.size);
   for (int y = 0; y < plane.size.y; ++y) {

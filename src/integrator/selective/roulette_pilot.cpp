@@ -51,7 +51,7 @@ class RoulettePilot::Sink final : public PathSink {
     }
   }
   bool reaches(const Vec2& raster) const override { return view_.contains(raster); }
-  float worth(const Vec2& raster) const override {
+  float rays_per_unit_light(const Vec2& raster) const override {
     return view_.importance(raster) /
            static_cast<float>(SelectiveHeuristics::kUsualPrice * brightness_);
   }

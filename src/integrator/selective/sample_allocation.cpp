@@ -116,17 +116,17 @@ void SampleAllocation::load_state(InputArchive& archive, std::uint64_t samples) 
   set_counts(known_);
 }
 
-void SampleAllocation::give_news(OutputArchive& archive) {
-  std::array<std::uint64_t, 4> news = counts();
-  for (std::size_t i = 0; i < news.size(); ++i) news[i] -= known_[i];
+void SampleAllocation::export_delta(OutputArchive& archive) {
+  std::array<std::uint64_t, 4> delta = counts();
+  for (std::size_t i = 0; i < delta.size(); ++i) delta[i] -= known_[i];
   set_counts(known_);
-  archive(news);
+  archive(delta);
 }
 
-void SampleAllocation::take_news(InputArchive& archive) {
-  std::array<std::uint64_t, 4> news{};
-  archive(news);
-  for (std::size_t i = 0; i < news.size(); ++i) known_[i] += news[i];
+void SampleAllocation::import_delta(InputArchive& archive) {
+  std::array<std::uint64_t, 4> delta{};
+  archive(delta);
+  for (std::size_t i = 0; i < delta.size(); ++i) known_[i] += delta[i];
   set_counts(known_);
 }
 

@@ -37,7 +37,9 @@ class SampleAllocation {
                             : 0.0;
   }
   /// Tests whether both halves have been at work.
-  bool can_adjust() const { return !prepared_.shortage && mutations_ > 0 && omc_samples_ > 0; }
+  bool can_adjust() const {
+    return !prepared_.preparation_cut && mutations_ > 0 && omc_samples_ > 0;
+  }
   /// Pictures of either half until now, for the eye (`seen_light`).
   struct Seen {
     std::vector<std::vector<float>> of_omc;
@@ -64,8 +66,8 @@ class SampleAllocation {
   void load_state(InputArchive& archive, std::uint64_t samples);
   /// Gives away what this process was told since it did so last; and takes what one of the
   /// processes has given, which may have been this one.
-  void give_news(OutputArchive& archive);
-  void take_news(InputArchive& archive);
+  void export_delta(OutputArchive& archive);
+  void import_delta(InputArchive& archive);
 
  private:
   /// Mutations per pixel of a sample, now.

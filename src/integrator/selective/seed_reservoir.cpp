@@ -71,7 +71,7 @@ double SeedReservoir::evaluate(const SeedPath& seed, RayCounts& rays) const {
 void SeedReservoir::share_with_manifolds(SeedPath& seed, const SelectiveChain& chain,
                                          RayCounts& rays) const {
   const PathGroup& group = prepared_.group_of(seed.path);
-  if (!seed.path.hit_only || !PathSeeds::has_manifolds(group)) return;
+  if (!seed.path.unidirectional_only || !PathSeeds::has_manifolds(group)) return;
   ManifoldSeeds manifolds(prepared_.scene(), *group.photons, bounds_of(group, prepared_.view),
                           SelectiveHeuristics::kManifoldTries);
   seed.path.energy *= manifolds.hit_share(std::get<PathChain>(chain.state).path,
@@ -139,13 +139,13 @@ void SeedReservoir::load_state(InputArchive& archive) {
     throw std::runtime_error("corrupt checkpoint: seed paths are too bright");
 }
 
-void SeedReservoir::give_news(OutputArchive& archive) {
+void SeedReservoir::export_delta(OutputArchive& archive) {
   archive(static_cast<std::uint64_t>(seeds_.size()));
   for (const SeedPath& seed : seeds_) archive(seed);
   seeds_.clear();
 }
 
-void SeedReservoir::take_news(InputArchive& archive) { load_seeds(archive, shared_); }
+void SeedReservoir::import_delta(InputArchive& archive) { load_seeds(archive, shared_); }
 
 void SeedReservoir::set_threshold(double per_sample, double camera_samples) {
   const double whole = per_sample * camera_samples * static_cast<double>(prepared_.pixels()) /
@@ -180,7 +180,7 @@ void SeedReservoir::divide_anew(const Divisions& before) {
   for (SeedPath& seed : seeds_) {
     OutlierPath& path = seed.path;
     const auto share_of = [&](const Divisions& divisions) {
-      return divisions.of(path.replicate).chain_share(path.strength, path.raster);
+      return divisions.of(path.replicate).chain_fraction(path.strength, path.raster);
     };
     const float change = share_of(*prepared_.divisions) / share_of(before);
     path.value *= change;

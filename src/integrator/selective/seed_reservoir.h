@@ -55,8 +55,8 @@ class SeedReservoir final : public OutlierSinkFactory {
   void load_state(InputArchive& archive);
   /// Exchange between processes: writes what this one has found since it last did; takes what one
   /// of them, which may be this one, has written.
-  void give_news(OutputArchive& archive);
-  void take_news(InputArchive& archive);
+  void export_delta(OutputArchive& archive);
+  void import_delta(InputArchive& archive);
 
  private:
   class Sink;

@@ -45,7 +45,7 @@ class SelectiveIntegrator final : public Integrator {
 
   PreparationRound begin_preparation(int round) override;
   void prepare_item(int round, std::uint64_t item, Counters& counters) override;
-  void skip_preparation(Shortage of) override;
+  void skip_preparation(PreparationCut of) override;
   std::vector<float> take_first_look() override { return std::exchange(first_look_, {}); }
   Findings findings() const override;
 
@@ -62,8 +62,8 @@ class SelectiveIntegrator final : public Integrator {
   bool keeps_state() const override { return !populations_.empty() || learns(); }
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive, std::uint64_t samples) override;
-  void give_news(OutputArchive& archive, const WorkShare& share) override;
-  void take_news(InputArchive& archive, const WorkShare& share) override;
+  void export_delta(OutputArchive& archive, const WorkSlice& slice) override;
+  void import_delta(InputArchive& archive, const WorkSlice& slice) override;
   std::uint64_t memory_bytes() const override;
 
  private:
@@ -86,7 +86,7 @@ class SelectiveIntegrator final : public Integrator {
   PreparationRound describe(const PreparationStage& stage, std::uint64_t items) const;
   void end_preparation();
   /// Renders without chains.
-  void disable_chains(std::optional<Shortage> shortage);
+  void disable_chains(std::optional<PreparationCut> preparation_cut);
   void make_omc();
 
   /// Tests whether ordinary Monte Carlo adapts as the render goes on.
@@ -224,7 +224,7 @@ PreparationRound SelectiveIntegrator::describe(const PreparationStage& stage,
   for (std::size_t i = stage_ + 1; i < stages_.size(); ++i) {
     const PreparationStage& later = *stages_[i].run;
     round.later_effort += later.effort();
-    if (later.stays()) round.later_stays += later.effort();
+    if (later.stays()) round.later_kept_effort += later.effort();
   }
   return round;
 }
@@ -233,23 +233,24 @@ void SelectiveIntegrator::prepare_item(int /*round*/, std::uint64_t item, Counte
   stages_[stage_].run->run(item, counters);
 }
 
-void SelectiveIntegrator::skip_preparation(Shortage of) {
+void SelectiveIntegrator::skip_preparation(PreparationCut of) {
   if (division_ != nullptr) disable_chains(of);
 }
 
 /// A pilot that is over stays in the picture if it may.
-void SelectiveIntegrator::disable_chains(std::optional<Shortage> shortage) {
+void SelectiveIntegrator::disable_chains(std::optional<PreparationCut> preparation_cut) {
   const bool is_kept = division_ != nullptr && division_->result() && division_->stays();
-  prepared_.shortage = shortage;
+  prepared_.preparation_cut = preparation_cut;
   prepared_.ray_price.reset();
   // The sums that are kept are in its units.
   if (!is_kept) prepared_.scale.reset();
   prepared_.mutations = 0.0;
   prepared_.pilot_kept = is_kept ? division_->result()->samples : 0;
   if (prepared_.config.has_long_paths()) {
-    prepared_.divisions.emplace(Division(prepared_.config.settings.crop,
-                                         {{.threshold = 0.F, .target = 0.F, .kept = 0.F}},
-                                         prepared_.view.importance));
+    prepared_.divisions.emplace(
+        Division(prepared_.config.settings.crop,
+                 {{.threshold = 0.F, .target_scale = 0.F, .deposit_scale = 0.F}},
+                 prepared_.view.importance));
   }
   // The running stage is one of them.
   if (!is_kept) division_ = nullptr;
@@ -403,7 +404,7 @@ DevelopScale SelectiveIntegrator::develop_scale(const LayerSpec& layer, std::uin
     return mutations > 0.0 ? 1.0 / mutations : 0.0;
   }
   if (layer.name == kAcceptanceLayer) return samples > 0 ? 1.0 / static_cast<double>(samples) : 0.0;
-  if (layer.name != "indirect" || prepared_.shortage) {
+  if (layer.name != "indirect" || prepared_.preparation_cut) {
     return omc_->develop_scale(layer, allocation_.omc_samples(samples), replicate);
   }
   if (samples == 0) return 0.0;
@@ -443,16 +444,16 @@ void SelectiveIntegrator::load_state(InputArchive& archive, std::uint64_t sample
   scheduler_.list();
 }
 
-void SelectiveIntegrator::give_news(OutputArchive& archive, const WorkShare& share) {
-  scheduler_.give_news(archive, share, omc_items());
-  allocation_.give_news(archive);
-  if (reservoir_) reservoir_->give_news(archive);
+void SelectiveIntegrator::export_delta(OutputArchive& archive, const WorkSlice& slice) {
+  scheduler_.export_delta(archive, slice, omc_items());
+  allocation_.export_delta(archive);
+  if (reservoir_) reservoir_->export_delta(archive);
 }
 
-void SelectiveIntegrator::take_news(InputArchive& archive, const WorkShare& share) {
-  scheduler_.take_news(archive, share, omc_items());
-  allocation_.take_news(archive);
-  if (reservoir_) reservoir_->take_news(archive);
+void SelectiveIntegrator::import_delta(InputArchive& archive, const WorkSlice& slice) {
+  scheduler_.import_delta(archive, slice, omc_items());
+  allocation_.import_delta(archive);
+  if (reservoir_) reservoir_->import_delta(archive);
 }
 
 std::uint64_t SelectiveIntegrator::memory_bytes() const {

@@ -116,8 +116,8 @@ bool ConstraintPerturbation::leads_back(const Path& x, const Span& span, const I
   }
   const double room = std::min(step, shortest);
   const double vague = 2.0 * uncertainty;
-  if (!(vague <= PathSpaceHeuristics::kVaguest * room) ||
-      !(missed <= PathSpaceHeuristics::kWayBack * room + vague)) {
+  if (!(vague <= PathSpaceHeuristics::kConstraintTolerance * room) ||
+      !(missed <= PathSpaceHeuristics::kReturnTolerance * room + vague)) {
     return false;
   }
   // At the border of a caustic the other chain is as near as one likes.

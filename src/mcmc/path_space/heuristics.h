@@ -4,8 +4,9 @@
 namespace ajar {
 
 /// Probabilities and sizes of moves in path space, beside parameters, which declare their own
-/// ranges. No picture's expectation depends on them, but for `kWayBack`, `kVaguest` and `kClear`:
-/// too large, they confuse chains, and detailed balance, or the weight of a seed, fails there.
+/// ranges. No picture's expectation depends on them, but for `kReturnTolerance`,
+/// `kConstraintTolerance` and `kSeparationTolerance`: too large, they confuse chains, and detailed
+/// balance, or the weight of a seed, fails there.
 struct PathSpaceHeuristics {
   /// Probability of a bidirectional mutation to replace the whole path.
   /// Unit: probability. Range: (0, 1). Source: docs/notebook/mutations.md, "Half and double of
@@ -59,23 +60,24 @@ struct PathSpaceHeuristics {
   /// (0, 1). Source: docs/notebook/mutations.md, "When a walk back counts": half and double make
   /// next to no difference. Other solutions are about as far as the move, but at the borders of
   /// caustics, where the sign of a determinant tells them apart.
-  static constexpr double kWayBack = 0.001;
+  static constexpr double kReturnTolerance = 0.001;
   /// Nor does one if that tolerance makes more than this of it: then it cannot be told. At the
   /// borders of caustics it grows without bound.
   /// Unit: the same share. Range: (0, 1). Source: as above: in pool half refuses seven of a
   /// hundred moves more, and double seven fewer. In pictures of 2000 pixels it is about this of the
   /// smallest moves.
-  static constexpr double kVaguest = 0.5;
+  static constexpr double kConstraintTolerance = 0.5;
   /// Largest error by the tolerance of walks for which a manifold connection accepts a chain: it
   /// has to be recognised when it is found again. Others are left to unidirectional hits.
   /// Unit: share of the shortest edge after the first. Range: (0, 1). Source: set by hand: in
   /// water-caustic walks come to a chain again within 1e-4, and to no other within 6e-3.
-  static constexpr double kClear = 0.001;
+  static constexpr double kSeparationTolerance = 0.001;
   /// Clearance where no ray can run into the light: other chains are left out. Two that become one
   /// at the border of a caustic are told apart by the sign of a determinant in any case.
-  /// Unit: the same share. Range: [kClear, 1). Source: docs/notebook/mutations.md, "Seeds of what
-  /// no connection makes": in waves, 0.3 % of the light are left out; with kClear it would be 3 %.
-  /// With ten times as much it is less than can be told, but single seeds bring a seventh of all.
+  /// Unit: the same share. Range: [kSeparationTolerance, 1). Source: docs/notebook/mutations.md,
+  /// "Seeds of what no connection makes": in waves, 0.3 % of the light are left out; with
+  /// kSeparationTolerance it would be 3 %. With ten times as much it is less than can be told, but
+  /// single seeds bring a seventh of all.
   static constexpr double kClearOfPoints = 0.01;
   /// Least angle between its guesses and the straight line, or a photon; log-uniform above.
   /// Unit: radians; from outside of the scene, over π, times twice the angle of its radius from

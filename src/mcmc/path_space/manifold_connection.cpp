@@ -76,7 +76,8 @@ class KnownChain {
   bool is(const ManifoldWalk& walk) const {
     const auto other = walk.vertices();
     if (other.size() != chain_.size() || walk.is_mirrored() != is_mirrored_) return false;
-    const double reach = std::max(PathSpaceHeuristics::kClear * shortest_, 2.0 * uncertainty_);
+    const double reach =
+        std::max(PathSpaceHeuristics::kSeparationTolerance * shortest_, 2.0 * uncertainty_);
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       if (other[i].event != chain_[i].event ||
           (Vec3d(other[i].p()) - Vec3d(chain_[i].p())).length() > reach) {
@@ -143,7 +144,7 @@ bool ManifoldConnection::is_clear(const Scene& scene, const Path& path, int seen
   return KnownChain(scene, chain_end(path, 0), chain_from_light(path, 0, seen),
                     path.vertex(seen).p())
       .is_clear(path.light->discrete_position() ? PathSpaceHeuristics::kClearOfPoints
-                                                : PathSpaceHeuristics::kClear);
+                                                : PathSpaceHeuristics::kSeparationTolerance);
 }
 
 }  // namespace ajar

@@ -105,7 +105,7 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
     } else {
       varnished.add(SmoothCoat{{kVarnishIndex}}, Spectrum(0.7F));
     }
-    varnished.add(UnderVarnish<DisneySpecular>{
+    varnished.add(CoatAttenuated<DisneySpecular>{
         {{FacetModel::GgxSeparable, 0.2F, 0.4F}, {white, 1.F}}, {alpha, 0.7F}});
   }
   for (const auto& [alpha, base] :
@@ -115,15 +115,15 @@ inline std::vector<NamedBsdf> catalogue(float tilt_degrees) {
                                {PackedSpectrum(), 0.F, 1.5F, 0.9F}};
     const std::string name = std::to_string(alpha);
     Bsdf& layers = begin("base under gloss " + name);
-    layers.add(UnderVarnish<UnderGloss<SheenOverLambert>>{{{base.unpack(), Spectrum(0.F)}, gloss},
-                                                          {0.F, 0.F}});
+    layers.add(CoatAttenuated<UnderGloss<SheenOverLambert>>{{{base.unpack(), Spectrum(0.F)}, gloss},
+                                                            {0.F, 0.F}});
     layers.add(above);
     Bsdf& sheet = begin("varnished lampshade " + name);
     sheet.add(SmoothCoat{{kVarnishIndex}}, Spectrum(0.8F));
-    sheet.add(UnderVarnish<DisneySpecular>{above, {0.F, 0.8F}});
-    sheet.add(UnderVarnish<UnderGloss<SheenOverLambert>>{
+    sheet.add(CoatAttenuated<DisneySpecular>{above, {0.F, 0.8F}});
+    sheet.add(CoatAttenuated<UnderGloss<SheenOverLambert>>{
         {{base.unpack() * 0.5F, Spectrum(0.7F)}, gloss}, {0.F, 0.8F}});
-    sheet.add(UnderVarnish<UnderGloss<LambertTransmission>>{{{}, gloss}, {0.F, 0.8F}},
+    sheet.add(CoatAttenuated<UnderGloss<LambertTransmission>>{{{}, gloss}, {0.F, 0.8F}},
               Spectrum(0.5F));
   }
   for (const float alpha : {0.15F, 0.6F}) {

@@ -233,13 +233,14 @@ Lobe random_lobe(Rng& rng) {
     case 20:
       return CoatedConductor{facets, metal, coat};
     case 21:
-      return UnderVarnish<UnderGloss<SheenOverLambert>>{
+      return CoatAttenuated<UnderGloss<SheenOverLambert>>{
           {{a.unpack(), b.unpack()}, {std::max(eta, 1.F), alpha, rng.next()}},
           {coat_alpha, rng.next()}};
     case 22:
-      return UnderVarnish<DisneySpecular>{{facets, {a, rng.next(), eta}}, {coat_alpha, rng.next()}};
+      return CoatAttenuated<DisneySpecular>{{facets, {a, rng.next(), eta}},
+                                            {coat_alpha, rng.next()}};
     case 23:
-      return UnderVarnish<UnderGloss<LambertTransmission>>{
+      return CoatAttenuated<UnderGloss<LambertTransmission>>{
           {{}, {std::max(eta, 1.F), alpha, rng.next()}}, {coat_alpha, rng.next()}};
     case 24:
       return FullOrenNayar(a.unpack(), extreme(rng, 1e-4F, kPi / 2.F));

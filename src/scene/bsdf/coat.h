@@ -271,7 +271,7 @@ struct Varnish {
 };
 
 template <typename Base>
-using UnderVarnish = UnderLayer<Base, Varnish>;
+using CoatAttenuated = UnderLayer<Base, Varnish>;
 
 /// Both layers smooth: one mirror with the reflectance of the coat and the metal below it.
 struct CoatedConductorFresnel {

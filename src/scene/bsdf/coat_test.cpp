@@ -174,7 +174,7 @@ TEST(Coat, KeepsItsRoughnessInSmallSteps) {
   EXPECT_NE(Coat(1.5F, 1e-9F).transmittance(0.3F), Coat(1.5F, 0.F).transmittance(0.3F));
 }
 
-TEST(UnderVarnish, IsAttenuatedByThePartialCoat) {
+TEST(CoatAttenuated, IsAttenuatedByThePartialCoat) {
   const DisneySpecular metal{{FacetModel::GgxSeparable, 0.3F, 0.3F},
                              {PackedSpectrum(Spectrum(0.9F)), 1.F}};
   const Vec3 wo = direction(30.F, 0.F);
@@ -182,7 +182,7 @@ TEST(UnderVarnish, IsAttenuatedByThePartialCoat) {
   // Transmittance at the flatter of the two directions.
   const float through = 1.F - fresnel_dielectric(wi.z, 1.5F).reflectance;
   const LobeValue bare = metal.evaluate(wo, wi, false, TransportMode::Radiance);
-  const LobeValue under = UnderVarnish<DisneySpecular>{metal, {0.F, 0.4F}}.evaluate(
+  const LobeValue under = CoatAttenuated<DisneySpecular>{metal, {0.F, 0.4F}}.evaluate(
       wo, wi, false, TransportMode::Radiance);
   EXPECT_NEAR(under.value[0], bare.value[0] * (0.6F + 0.4F * through), 1e-5F * bare.value[0]);
   EXPECT_EQ(under.pdf, bare.pdf);

@@ -22,13 +22,15 @@
 namespace ajar {
 
 /// The closed set of lobes, common ones first.
-using Lobe = std::variant<
-    Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend, RoughDielectric,
-    Mirror, PassThrough, OrenNayar, LambertTransmission, ThinDielectric, SpecularReflection,
-    SpecularTransmission, DisneyDiffuse, DisneySpecular, DisneyGlassSpecular, DisneyClearcoat,
-    SmoothConductor, SmoothCoat, RoughCoat, CoatedDiffuse, CoatedConductor, CoatedConductorEcho,
-    SmoothCoatedConductor, UnderVarnish<DisneySpecular>, UnderVarnish<UnderGloss<SheenOverLambert>>,
-    UnderVarnish<UnderGloss<LambertTransmission>>, FullOrenNayar, SheetTransmission>;
+using Lobe =
+    std::variant<Lambert, SmoothDielectric, Conductor, DielectricReflection, FresnelBlend,
+                 RoughDielectric, Mirror, PassThrough, OrenNayar, LambertTransmission,
+                 ThinDielectric, SpecularReflection, SpecularTransmission, DisneyDiffuse,
+                 DisneySpecular, DisneyGlassSpecular, DisneyClearcoat, SmoothConductor, SmoothCoat,
+                 RoughCoat, CoatedDiffuse, CoatedConductor, CoatedConductorEcho,
+                 SmoothCoatedConductor, CoatAttenuated<DisneySpecular>,
+                 CoatAttenuated<UnderGloss<SheenOverLambert>>,
+                 CoatAttenuated<UnderGloss<LambertTransmission>>, FullOrenNayar, SheetTransmission>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 static_assert(sizeof(Lobe) <= 48);

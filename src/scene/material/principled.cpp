@@ -135,13 +135,13 @@ void Principled::add_layers(const Point& p, const Spectrum& scale, Bsdf& bsdf) c
     bsdf.add(SmoothCoat{{kVarnishIndex}}, scale * share);
   }
   const Varnish varnish{alpha, share};
-  bsdf.add(UnderVarnish<DisneySpecular>{{p.facets(), fresnel(p)}, varnish}, scale);
+  bsdf.add(CoatAttenuated<DisneySpecular>{{p.facets(), fresnel(p)}, varnish}, scale);
 
   const Gloss gloss{p.eta, square(p.roughness), weight(specular_strength_, p.at)};
   const Spectrum base = scale * (1.F - p.metallic);
   const SheenOverLambert reflected(p.color * (1.F - p.behind), sheen(p));
-  bsdf.add(UnderVarnish<UnderGloss<SheenOverLambert>>{{reflected, gloss}, varnish}, base);
-  bsdf.add(UnderVarnish<UnderGloss<LambertTransmission>>{{{}, gloss}, varnish},
+  bsdf.add(CoatAttenuated<UnderGloss<SheenOverLambert>>{{reflected, gloss}, varnish}, base);
+  bsdf.add(CoatAttenuated<UnderGloss<LambertTransmission>>{{{}, gloss}, varnish},
            base * p.color * p.behind);
 }
 

@@ -20,14 +20,14 @@ std::uint64_t refined_memory(const desc::Mesh& control, int levels) {
 std::uint64_t checked_memory(const desc::Mesh& control, int wanted, const SourceLocation& where) {
   const int levels = possible_levels(control, wanted);
   const std::uint64_t bytes = refined_memory(control, levels);
-  const std::string shortage = memory_shortage(bytes);
-  if (shortage.empty()) return bytes;
+  const std::string preparation_cut = memory_shortage(bytes);
+  if (preparation_cut.empty()) return bytes;
   int fitting = levels - 1;
   while (fitting > 0 && !memory_shortage(refined_memory(control, fitting)).empty()) --fitting;
   const std::size_t faces = control.indices.size();
   throw SceneError(where, "this subdivision surface, with " + std::to_string(faces) +
                               (faces == 1 ? " face" : " faces") + " and \"levels\" of " +
-                              std::to_string(wanted) + ", " + shortage +
+                              std::to_string(wanted) + ", " + preparation_cut +
                               "; \"levels\" can be at most " +
                               std::to_string(std::max(fitting, 0)));
 }

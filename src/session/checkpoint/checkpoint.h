@@ -46,11 +46,11 @@ struct Checkpoint {
   std::vector<LayerSpec> layers;
   Development scales;  ///< scales of the film as it is
   JobState job;
-  std::string integrator_state;          ///< bytes of `Integrator::save_state`
-  Counters preparation;                  ///< counters of the first run
-  std::optional<Shortage> unprepared;    ///< why it was cut short, if it was
-  std::uint64_t preparation_rounds = 0;  ///< completed rounds
-  double other_seconds = 0.0;            ///< seconds of building and preparing, all runs together
+  std::string integrator_state;              ///< bytes of `Integrator::save_state`
+  Counters preparation;                      ///< counters of the first run
+  std::optional<PreparationCut> unprepared;  ///< why it was cut short, if it was
+  std::uint64_t preparation_rounds = 0;      ///< completed rounds
+  double other_seconds = 0.0;  ///< seconds of building and preparing, all runs together
   std::uint32_t resumptions = 0;
   std::uint32_t interruptions = 0;  ///< by signals; kill −9 leaves no trace
   std::vector<MergedRun> merged;    ///< more than one if seeds were merged; then it cannot go on

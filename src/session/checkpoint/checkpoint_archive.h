@@ -8,7 +8,7 @@
 namespace ajar {
 
 template <Archive A>
-void serialize(A& archive, WorkShare& share) {
+void serialize(A& archive, WorkSlice& share) {
   archive(share.index, share.count);
 }
 
@@ -138,7 +138,7 @@ void serialize(A& archive, JobState& job) {
 template <Archive A>
 void serialize(A& archive, Checkpoint& checkpoint) {
   bool unprepared = checkpoint.unprepared.has_value();
-  bool of_samples = checkpoint.unprepared == Shortage::Samples;
+  bool of_samples = checkpoint.unprepared == PreparationCut::Samples;
   archive(checkpoint.version, checkpoint.render, checkpoint.features.albedo,
           checkpoint.features.normal, checkpoint.layers, checkpoint.scales, checkpoint.job,
           checkpoint.integrator_state, checkpoint.preparation, unprepared, of_samples,
@@ -146,7 +146,8 @@ void serialize(A& archive, Checkpoint& checkpoint) {
           checkpoint.interruptions, checkpoint.merged);
   if constexpr (A::is_loading::value) {
     checkpoint.unprepared.reset();
-    if (unprepared) checkpoint.unprepared = of_samples ? Shortage::Samples : Shortage::Time;
+    if (unprepared)
+      checkpoint.unprepared = of_samples ? PreparationCut::Samples : PreparationCut::Time;
   }
 }
 

@@ -72,11 +72,11 @@ NamedCheckpoint join_shares(std::vector<NamedCheckpoint> shares) {
     return a.checkpoint.render.spec.share.index < b.checkpoint.render.spec.share.index;
   });
   NamedCheckpoint whole = std::move(shares.front());
-  const WorkShare share = whole.checkpoint.render.spec.share;
+  const WorkSlice share = whole.checkpoint.render.spec.share;
   const std::uint64_t samples = whole.checkpoint.job.samples_per_pixel;
   std::uint64_t next = 0;
   const auto check_next = [&](const NamedCheckpoint& part) {
-    const WorkShare& own = part.checkpoint.render.spec.share;
+    const WorkSlice& own = part.checkpoint.render.spec.share;
     if (own.count != share.count) {
       throw UsageError(fmt::format("{}: is a share of {}, {} one of {}, with the same seed {}",
                                    part.path, own.count, whole.path, share.count, seed_of(part)));

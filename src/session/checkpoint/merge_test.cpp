@@ -15,7 +15,7 @@ namespace {
 const Vec2i kMergedSize(13, 7);
 constexpr int kReplicates = 4;
 
-NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkShare share = {},
+NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkSlice share = {},
                      double magnitude = 1.0, bool uneven = false) {
   NamedCheckpoint named{"part-" + std::to_string(seed) + "-" + std::to_string(share.index), {}};
   Checkpoint& checkpoint = named.checkpoint;
@@ -65,7 +65,7 @@ TEST(Merge, SharesGiveTheBitsOfTheWhole) {
   EXPECT_EQ(sum.sums, whole.sums);
   EXPECT_EQ(sum.job.samples_per_pixel, 24U);
   EXPECT_EQ(sum.job.counters.samples, whole.job.counters.samples);
-  EXPECT_EQ(sum.render.spec.share, WorkShare{});
+  EXPECT_EQ(sum.render.spec.share, WorkSlice{});
   EXPECT_TRUE(sum.merged.empty()) << "it can go on";
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/work_share.h"
+#include "core/work_slice.h"
 #include "image/relative_error.h"
 #include "integrator/integrator.h"
 

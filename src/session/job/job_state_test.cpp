@@ -19,10 +19,10 @@ TEST(JobState, SharesOfTheWorkAreDisjointAndComplete) {
     std::uint64_t items = 0;
     for (std::uint64_t item = 0; item < 20; ++item) {
       std::uint64_t owners = 0;
-      for (std::uint64_t i = 0; i < count; ++i) owners += WorkShare{i, count}.has(item) ? 1 : 0;
+      for (std::uint64_t i = 0; i < count; ++i) owners += WorkSlice{i, count}.has(item) ? 1 : 0;
       EXPECT_EQ(owners, 1U);
     }
-    for (std::uint64_t i = 0; i < count; ++i) items += WorkShare{i, count}.size(20);
+    for (std::uint64_t i = 0; i < count; ++i) items += WorkSlice{i, count}.size(20);
     EXPECT_EQ(items, 20U);
   }
 }

@@ -30,7 +30,7 @@ Preparation::Efforts Preparation::efforts_with(const PreparationRound& next) con
   double stays = stays_ + (next.stays ? next.effort : 0.0);
   if (!next.serves_alone) {
     all += next.later_effort;
-    stays += next.later_stays;
+    stays += next.later_kept_effort;
   }
   return {all, all - stays};
 }
@@ -48,7 +48,7 @@ PreparationEnd Preparation::must_skip(const PreparationRound& next) const {
   PreparationEnd reason = must_stop(deadline(next.stays));
   if (reason == PreparationEnd::Done && has_few_samples(next)) reason = PreparationEnd::FewSamples;
   if (limits_.earlier && limits_.earlier->rounds == rounds_) {
-    const bool of_time = limits_.earlier->of == Shortage::Time;
+    const bool of_time = limits_.earlier->of == PreparationCut::Time;
     reason = of_time ? PreparationEnd::NoTime : PreparationEnd::FewSamples;
   }
   if (reason == PreparationEnd::Done && over_ > 0.0) {
@@ -110,8 +110,8 @@ Counters Preparation::run() {
     end_ = must_skip(next);
     if (end_ == PreparationEnd::Done) end_ = run_round(round, deadline(next.stays), whole);
     if (end_ != PreparationEnd::Done) {
-      integrator_.skip_preparation(end_ == PreparationEnd::FewSamples ? Shortage::Samples
-                                                                      : Shortage::Time);
+      integrator_.skip_preparation(end_ == PreparationEnd::FewSamples ? PreparationCut::Samples
+                                                                      : PreparationCut::Time);
       return whole;
     }
     over_ = over_ + next.effort;

@@ -24,7 +24,7 @@ struct PreparationLimits {
   /// State of an earlier run, which this one repeats.
   struct CutShort {
     std::uint64_t rounds = 0;
-    Shortage of = Shortage::Time;
+    PreparationCut of = PreparationCut::Time;
   };
   std::optional<CutShort> earlier = std::nullopt;
   const InterruptCount* interrupts = nullptr;

@@ -38,7 +38,7 @@ class Prepared final : public Integrator {
                           .sample_effort = sample_effort};
     for (std::size_t j = i + 1; j < efforts_.size(); ++j) {
       next.later_effort += efforts_[j];
-      if (stays_from <= j) next.later_stays += efforts_[j];
+      if (stays_from <= j) next.later_kept_effort += efforts_[j];
     }
     return next;
   }
@@ -52,9 +52,9 @@ class Prepared final : public Integrator {
     ++counters.rays;
     if (on_item) on_item(round);
   }
-  void skip_preparation(Shortage of) override {
+  void skip_preparation(PreparationCut of) override {
     skipped = true;
-    shortage = of;
+    preparation_cut = of;
   }
 
   std::vector<LayerSpec> layers() const override { return {}; }
@@ -68,7 +68,7 @@ class Prepared final : public Integrator {
 
   bool is_ready = false;
   bool skipped = false;
-  Shortage shortage = Shortage::Time;
+  PreparationCut preparation_cut = PreparationCut::Time;
   std::size_t stays_from = 1000;  ///< round
   double sample_effort = 1.0;
   bool has_looks = false;
@@ -258,7 +258,7 @@ TEST(Preparation, IsSkippedWhereThePictureHasFewSamples) {
       EXPECT_EQ(preparation.end(), enough ? PreparationEnd::Done : PreparationEnd::FewSamples);
       EXPECT_EQ(integrator.skipped, !enough);
       if (!enough) {
-        EXPECT_EQ(integrator.shortage, Shortage::Samples);
+        EXPECT_EQ(integrator.preparation_cut, PreparationCut::Samples);
       }
     }
   }
@@ -304,14 +304,14 @@ TEST(Preparation, ComesAsFarAsAnEarlierRun) {
   for (const std::uint64_t rounds : {0, 1, 2, 3}) {
     Prepared integrator({1.0, 1.0, 1.0});
     PreparationLimits limits;
-    limits.earlier = {rounds, rounds % 2 == 0 ? Shortage::Time : Shortage::Samples};
+    limits.earlier = {rounds, rounds % 2 == 0 ? PreparationCut::Time : PreparationCut::Samples};
     Preparation preparation(integrator, limits);
     EXPECT_EQ(preparation.run().rays, 10 * rounds);
     EXPECT_EQ(preparation.rounds(), rounds);
     EXPECT_EQ(integrator.skipped, rounds < 3);
     EXPECT_EQ(integrator.is_ready, rounds == 3);
     if (rounds == 3) continue;
-    EXPECT_EQ(integrator.shortage, limits.earlier->of);
+    EXPECT_EQ(integrator.preparation_cut, limits.earlier->of);
     EXPECT_EQ(preparation.end(),
               rounds % 2 == 0 ? PreparationEnd::NoTime : PreparationEnd::FewSamples);
   }

@@ -169,8 +169,8 @@ RenderJob::Decision RenderJob::agree() {
   return next;
 }
 
-WorkShare RenderJob::own_share() const {
-  WorkShare share = options_.share;
+WorkSlice RenderJob::own_share() const {
+  WorkSlice share = options_.share;
   if (options_.ranks != nullptr) {
     share.index += share.count * static_cast<std::uint64_t>(options_.ranks->rank());
     share.count *= static_cast<std::uint64_t>(options_.ranks->count());
@@ -189,16 +189,16 @@ Film& RenderJob::film_before(const Decision& decision) {
 void RenderJob::share_news() {
   if (options_.ranks == nullptr || !integrator_.keeps_state() || !has_news_) return;
   has_news_ = false;
-  const WorkShare own = own_share();
+  const WorkSlice own = own_share();
   const std::string given =
-      archived([&](OutputArchive& archive) { integrator_.give_news(archive, own); });
+      archived([&](OutputArchive& archive) { integrator_.export_delta(archive, own); });
   for (int rank = 0; rank < options_.ranks->count(); ++rank) {
     std::uint64_t size = given.size();
     options_.ranks->broadcast(rank, std::as_writable_bytes(std::span(&size, 1)));
     std::string news = rank == options_.ranks->rank() ? given : std::string(size, '\0');
     options_.ranks->broadcast(rank, std::as_writable_bytes(std::span(news)));
     unarchive(news, [&](InputArchive& archive) {
-      integrator_.take_news(archive, {static_cast<std::uint64_t>(rank), own.count});
+      integrator_.import_delta(archive, {static_cast<std::uint64_t>(rank), own.count});
     });
   }
 }
@@ -230,7 +230,7 @@ void RenderJob::run_pass(const Decision& decision, Film& before) {
 }
 
 bool RenderJob::run_round(PartialPass& pass) {
-  const WorkShare share = own_share();
+  const WorkSlice share = own_share();
   const std::uint64_t own_items = share.size(pass.done.size());
   items_done_ = 0;
   items_in_round_ = std::max<std::uint64_t>(1, own_items);

@@ -38,7 +38,7 @@ struct RenderJobOptions {
   const InterruptCount* interrupts = nullptr;  ///< may be null
   /// Where to go on; the film has the sums, the integrator its state.
   std::optional<JobState> resumed;
-  WorkShare share;         ///< share of this job, all its ranks together
+  WorkSlice share;         ///< share of this job, all its ranks together
   Ranks* ranks = nullptr;  ///< cooperating processes; null: this process alone
   std::vector<PassObserver*> observers;
 };
@@ -114,7 +114,7 @@ class RenderJob {
   /// Runs what has not run of the round's items. Returns whether all have.
   bool run_round(PartialPass& pass);
   /// Items of this rank.
-  WorkShare own_share() const;
+  WorkSlice own_share() const;
   /// Film so far, for the integrator before a pass.
   Film& film_before(const Decision& decision);
   /// After a pass: lets all ranks know what the items of each have left behind.

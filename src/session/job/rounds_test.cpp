@@ -63,13 +63,13 @@ class ThreeRounds final : public Integrator {
   void load_state(InputArchive& archive, std::uint64_t /*samples*/) override {
     archive(round_, photons_, sum_);
   }
-  void give_news(OutputArchive& archive, const WorkShare& share) override {
+  void export_delta(OutputArchive& archive, const WorkSlice& share) override {
     archive(sum_);
     for (std::uint64_t i = 0; i < kPhotons; ++i) {
       if (share.has(i)) archive(photons_[i]);
     }
   }
-  void take_news(InputArchive& archive, const WorkShare& share) override {
+  void import_delta(InputArchive& archive, const WorkSlice& share) override {
     std::uint64_t sum = 0;
     archive(sum);
     sum_ = std::max(sum_, sum);  // one process alone has run the item of the second round

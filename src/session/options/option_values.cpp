@@ -210,7 +210,7 @@ Box2i crop_pixels(const std::string& option, const CropWindow& crop, Vec2i resol
   return {min, max};
 }
 
-WorkShare parse_share(const std::string& option, std::string_view text) {
+WorkSlice parse_share(const std::string& option, std::string_view text) {
   const std::string expected = "K/N, the K-th of N shares, such as 3/8";
   const std::vector<std::string_view> parts = split(text, '/');
   if (parts.size() != 2) reject(option, text, expected);

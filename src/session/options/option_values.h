@@ -62,7 +62,7 @@ Box2i crop_pixels(const std::string& option, const CropWindow& crop, Vec2i resol
 
 inline constexpr std::uint64_t kMostShares = 1000000;
 /// `K/N`: the K-th of N shares, 1 ≤ K ≤ N ≤ kMostShares.
-WorkShare parse_share(const std::string& option, std::string_view text);
+WorkSlice parse_share(const std::string& option, std::string_view text);
 
 /// `KEY=VALUE` pairs; a key that is given twice keeps the last value.
 std::map<std::string, std::string> parse_assignments(const std::string& option,

@@ -496,7 +496,7 @@ Json json_of(const Exposure& exposure) {
   // Stops are decimal for those who read them, not what a float makes of them.
   return {{"stops", decimal_of(exposure.stops)}, {"auto", exposure.automatic}};
 }
-Json json_of(const WorkShare& share) { return {share.index + 1, share.count}; }
+Json json_of(const WorkSlice& share) { return {share.index + 1, share.count}; }
 template <typename Value>
 Json json_of(const Value& value) {
   return value;
@@ -547,7 +547,7 @@ Json option_json(const RenderOption& option, const RenderSpec& spec) {
 
 std::string option_text(const RenderOption& option, const RenderSpec& spec) {
   const Json json = option_json(option, spec);
-  if (std::holds_alternative<WorkShare S::*>(option.member)) {
+  if (std::holds_alternative<WorkSlice S::*>(option.member)) {
     return fmt::format("{}/{}", spec.share.index + 1, spec.share.count);
   }
   if (!is_given(option, spec)) return option.default_text.empty() ? "none" : option.default_text;

@@ -22,7 +22,7 @@ using SpecMember =
                  std::optional<std::array<int, 4>> RenderSpec::*,
                  std::vector<std::string> RenderSpec::*,
                  std::map<std::string, std::string> RenderSpec::*,
-                 std::optional<Exposure> RenderSpec::*, WorkShare RenderSpec::*>;
+                 std::optional<Exposure> RenderSpec::*, WorkSlice RenderSpec::*>;
 
 /// Commands of the program, as bits: those that have an option.
 namespace commands {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ajar/settings.h"
-#include "core/work_share.h"
+#include "core/work_slice.h"
 #include "session/job/budget.h"
 #include "session/options/display.h"
 #include "session/options/option_values.h"
@@ -22,7 +22,7 @@ struct RenderSpec : v0::Settings {
 
   std::map<std::string, std::string> definitions;  ///< for `load_scene`
   std::optional<CropWindow> crop_window;           ///< instead of `crop`
-  WorkShare share;
+  WorkSlice share;
 
   // Files that are written, and how pictures for the eye are shown: none of it decides the bits.
   std::vector<std::string> outputs;    ///< pictures

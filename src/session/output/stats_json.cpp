@@ -164,7 +164,7 @@ Json to_json(const RenderStatistics& s) {
 std::map<std::string, std::string> to_metadata(const RenderStatistics& s) {
   const RenderResult& r = s.result;
   const RenderSettings& settings = s.render.settings;
-  const WorkShare& share = s.render.spec.share;
+  const WorkSlice& share = s.render.spec.share;
   std::map<std::string, std::string> metadata{
       {"ajar:version", version()},
       {"ajar:scene", s.render.scene},

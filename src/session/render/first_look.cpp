@@ -22,18 +22,18 @@ void show(RenderState& state, std::vector<float> rgb) {
   picture->layers.push_back({"", 3, std::move(rgb)});
   picture->metadata = to_metadata(state.statistics);
   if (state.preview) state.preview->show(*picture);
-  if (std::isfinite(state.order.show_every)) state.events.picture(*picture);
-  state.watch.know(std::move(picture));
+  if (std::isfinite(state.request.show_every)) state.events.picture(*picture);
+  state.monitor.publish(std::move(picture));
 }
 
 }  // namespace
 
 void open_preview(RenderState& state) {
-  const std::string& viewer = state.order.spec.preview;
-  if (viewer.empty() || !state.order.is_root()) return;
+  const std::string& viewer = state.request.spec.preview;
+  if (viewer.empty() || !state.request.is_root()) return;
   PreviewOptions options;
   options.viewer = parse_viewer("--preview", viewer);
-  options.name = "ajar: " + scene_stem(state.order.scene);
+  options.name = "ajar: " + scene_stem(state.request.scene);
   options.film_scale = state.plan->record.film_scale;
   options.aovs = state.plan->setup.aovs;
   options.note = [&events = state.events](const std::string& text) { events.note(text); };

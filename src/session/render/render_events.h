@@ -23,7 +23,7 @@ class RenderEvents {
   virtual void work_ended() noexcept {}
   /// After each pass.
   virtual void progress(const RenderSnapshot& /*snapshot*/) {}
-  /// The picture as it is, every `RenderOrder::show_every` seconds; at first, unless these are
+  /// The picture as it is, every `RenderRequest::show_every` seconds; at first, unless these are
   /// infinite, what the preparation has seen.
   virtual void picture(const Picture& /*picture*/) {}
 

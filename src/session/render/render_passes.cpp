@@ -6,7 +6,7 @@
 
 #include "session/job/resources.h"
 #include "session/output/picture_range.h"
-#include "session/render/event_teller.h"
+#include "session/render/progress_notifier.h"
 #include "session/render/render_concerns.h"
 #include "session/render/render_writers.h"
 #include "session/version.h"
@@ -25,12 +25,12 @@ Checkpoint checkpoint_base(const RenderState& state) {
   Checkpoint base;
   base.version = version();
   base.render = state.plan->record;
-  base.render.spec.outputs = state.order.spec.outputs;  // as they are called by now
+  base.render.spec.outputs = state.request.spec.outputs;  // as they are called by now
   for (std::string& path : base.render.spec.outputs) path = absolute_path(path);
   if (state.filter) base.features = state.filter->features();
   base.layers.assign(state.film->layers().begin(), state.film->layers().end());
   base.preparation =
-      state.order.resumed ? state.order.resumed->preparation : state.statistics.preparation;
+      state.request.resumed ? state.request.resumed->preparation : state.statistics.preparation;
   base.unprepared = state.unprepared;
   base.preparation_rounds = state.preparation_rounds;
   base.other_seconds = state.other_seconds;
@@ -61,7 +61,7 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
   options.budget = state.plan->setup.budget;
   // A time limit covers everything after loading.
   if (options.budget.seconds) *options.budget.seconds -= state.other_seconds;
-  options.threads = state.order.spec.threads;
+  options.threads = state.request.spec.threads;
   options.estimate_error = [&integrator = *state.integrator](const Film& film,
                                                              std::uint64_t samples) {
     return estimate_error(film, integrator, samples);
@@ -70,14 +70,14 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
     return estimate_denoised_error(state, film, samples);
   };
   options.interrupts = &state.interrupts;
-  options.share = state.order.spec.share;
-  options.ranks = state.order.ranks;
-  if (state.order.resumed) {
-    options.resumed = std::move(state.order.resumed->job);
-    const RenderSpec& before = state.order.resumed->render.spec;
+  options.share = state.request.spec.share;
+  options.ranks = state.request.ranks;
+  if (state.request.resumed) {
+    options.resumed = std::move(state.request.resumed->job);
+    const RenderSpec& before = state.request.resumed->render.spec;
     const bool is_of_same_picture = before.denoised_target == options.budget.denoised_target &&
                                     (!options.budget.denoised_target ||
-                                     before.denoiser_name() == state.order.spec.denoiser_name());
+                                     before.denoiser_name() == state.request.spec.denoiser_name());
     // Errors of the one picture say nothing of those of the other.
     if (!is_of_same_picture) options.resumed->recent_errors.clear();
   }
@@ -88,13 +88,13 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
 /// While it lives, passes may be looked at.
 class OpenPasses {
  public:
-  explicit OpenPasses(BetweenPasses& passes) : passes_(passes) { passes_.open(); }
+  explicit OpenPasses(PassQueue& passes) : passes_(passes) { passes_.open(); }
   ~OpenPasses() { passes_.close(); }
   OpenPasses(const OpenPasses&) = delete;
   OpenPasses& operator=(const OpenPasses&) = delete;
 
  private:
-  BetweenPasses& passes_;
+  PassQueue& passes_;
 };
 
 /// Filters the picture, unless the user is in a hurry.
@@ -105,7 +105,7 @@ void denoise_last(RenderState& state, const RenderJob& job, Picture& picture) {
   std::atomic<double> fraction{0.0};
   bool is_filtered = false;
   {
-    const AtWork at_work(state, [&] {
+    const ScopedActivity at_work(state, [&] {
       RenderSnapshot snapshot;
       snapshot.phase = RenderPhase::Denoise;
       snapshot.phase_done = fraction;
@@ -148,20 +148,20 @@ RenderOutcome finish(RenderState& state, const RenderJob& job, RenderWriters& wr
   for (const Warning& concern : concerns_about(result)) state.warn(concern);
   outcome.statistics = state.statistics_with(result);
   picture.metadata = to_metadata(outcome.statistics);
-  const Display display = state.order.spec.display();
+  const Display display = state.request.spec.display();
   outcome.display = display.of(picture);
   outcome.statistics.exposure = {display.exposure.automatic, outcome.display.exposure};
   outcome.picture = std::make_shared<const Picture>(std::move(picture));
   // Later queries get these.
-  state.watch.know(outcome.statistics);
-  state.watch.know(outcome.picture);
-  state.watch.passes.close(job.film(), job.state());
+  state.monitor.publish(outcome.statistics);
+  state.monitor.publish(outcome.picture);
+  state.monitor.passes.close(job.film(), job.state());
 
-  const RenderOrder& order = state.order;
-  const bool nothing_new = order.resumed && job.state().passes == state.passes_before &&
-                           !job.state().partial && order.spec.checkpoint == order.resumed_from;
+  const RenderRequest& request = state.request;
+  const bool nothing_new = request.resumed && job.state().passes == state.passes_before &&
+                           !job.state().partial && request.spec.checkpoint == request.resumed_from;
   writers.write_last(job, !nothing_new, state.interrupts, outcome);
-  state.watch.know(outcome.statistics);
+  state.monitor.publish(outcome.statistics);
   return outcome;
 }
 
@@ -172,28 +172,29 @@ RenderOutcome render_passes(RenderState& state) {
   const auto develop = [&state](const Film& film, const JobState& job) {
     return picture_of(state, film, job);
   };
-  EventTeller teller(
-      state.events, state.order.show_every, [&state] { return state.watch.snapshot(); }, develop);
+  ProgressNotifier teller(
+      state.events, state.request.show_every, [&state] { return state.monitor.snapshot(); },
+      develop);
   std::optional<RenderWriters> writers;
   std::vector<PassObserver*> observers;
-  if (state.order.is_root()) {
+  if (state.request.is_root()) {
     std::optional<Checkpoint> base;
-    if (state.has_begun && !state.order.spec.checkpoint.empty()) base = checkpoint_base(state);
+    if (state.has_begun && !state.request.spec.checkpoint.empty()) base = checkpoint_base(state);
     if (state.preview) state.preview->filter_by(state.filter);
-    writers.emplace(state.order, *state.integrator, std::move(base), std::move(state.preview),
+    writers.emplace(state.request, *state.integrator, std::move(base), std::move(state.preview),
                     develop, state.events);
     observers = writers->observers();
-    observers.insert(observers.end(), {&teller, &state.watch.passes});
+    observers.insert(observers.end(), {&teller, &state.monitor.passes});
   }
   RenderJob job(*state.integrator, *state.film, job_options(state, std::move(observers)));
   std::optional<OpenPasses> open;
   if (writers) {
-    open.emplace(state.watch.passes);
+    open.emplace(state.monitor.passes);
     // From now on they have the picture. What the preparation has seen takes memory.
-    state.watch.know(std::shared_ptr<const Picture>());
+    state.monitor.publish(std::shared_ptr<const Picture>());
   }
   {
-    const AtWork at_work(state, [&job] { return job.snapshot(); });
+    const ScopedActivity at_work(state, [&job] { return job.snapshot(); });
     state.statistics.result = job.run();
   }
   if (writers) return finish(state, job, *writers);

@@ -28,14 +28,15 @@ Picture RenderState::develop_with(const Film& of, const RenderStatistics& known)
   return picture;
 }
 
-AtWork::AtWork(RenderState& state, std::function<RenderSnapshot()> snapshot) : state_(state) {
-  state_.watch.follow(std::move(snapshot));
-  state_.events.work_begun([&watch = state.watch] { return watch.snapshot(); });
+ScopedActivity::ScopedActivity(RenderState& state, std::function<RenderSnapshot()> snapshot)
+    : state_(state) {
+  state_.monitor.attach(std::move(snapshot));
+  state_.events.work_begun([&monitor = state.monitor] { return monitor.snapshot(); });
 }
 
-AtWork::~AtWork() {
+ScopedActivity::~ScopedActivity() {
   state_.events.work_ended();
-  state_.watch.unfollow();
+  state_.monitor.detach();
 }
 
 }  // namespace ajar

@@ -11,19 +11,19 @@
 #include "session/output/stats_json.h"
 #include "session/preview/preview.h"
 #include "session/render/render_events.h"
-#include "session/render/render_order.h"
+#include "session/render/render_monitor.h"
 #include "session/render/render_plan.h"
-#include "session/render/render_watch.h"
+#include "session/render/render_request.h"
 
 namespace ajar {
 
 /// State of a render, filled in step by step (`render_scene.h`, `render_method.h`,
-/// `render_passes.h`). Owned by the thread that renders; others use `watch`.
+/// `render_passes.h`). Owned by the thread that renders; others use `monitor`.
 struct RenderState {
-  RenderOrder order;
+  RenderRequest request;
   RenderEvents& events;
   const InterruptCount& interrupts;
-  RenderWatch& watch;
+  RenderMonitor& monitor;
 
   Warnings warnings{};
   RenderStatistics statistics{};  ///< all that is known beside the passes
@@ -37,9 +37,9 @@ struct RenderState {
   /// ordinary Monte Carlo alone, which no checkpoint must go on with.
   bool has_begun = true;
   std::uint64_t preparation_rounds = 0;
-  std::optional<Shortage> unprepared{};  ///< why the preparation was cut short, if it was
-  double other_seconds = 0.0;            ///< seconds of building and preparing, all runs together
-  std::uint64_t passes_before = 0;       ///< passes of earlier runs
+  std::optional<PreparationCut> unprepared{};  ///< why the preparation was cut short, if it was
+  double other_seconds = 0.0;       ///< seconds of building and preparing, all runs together
+  std::uint64_t passes_before = 0;  ///< passes of earlier runs
 
   /// Tells it, and keeps it for the statistics.
   void warn(const Warning& warning);
@@ -50,12 +50,12 @@ struct RenderState {
 };
 
 /// While it lives, a render can be seen at work.
-class AtWork {
+class ScopedActivity {
  public:
-  AtWork(RenderState& state, std::function<RenderSnapshot()> snapshot);
-  ~AtWork();
-  AtWork(const AtWork&) = delete;
-  AtWork& operator=(const AtWork&) = delete;
+  ScopedActivity(RenderState& state, std::function<RenderSnapshot()> snapshot);
+  ~ScopedActivity();
+  ScopedActivity(const ScopedActivity&) = delete;
+  ScopedActivity& operator=(const ScopedActivity&) = delete;
 
  private:
   RenderState& state_;

@@ -8,10 +8,10 @@
 
 namespace ajar {
 
-RenderWriters::RenderWriters(const RenderOrder& order, const Integrator& integrator,
+RenderWriters::RenderWriters(const RenderRequest& request, const Integrator& integrator,
                              std::optional<Checkpoint> base, std::unique_ptr<Preview> preview,
                              PictureWriter::Develop develop, RenderEvents& events)
-    : spec_(order.spec), events_(events), preview_(std::move(preview)) {
+    : spec_(request.spec), events_(events), preview_(std::move(preview)) {
   const auto trouble = [&events](const std::string& text) { events.trouble(text); };
   const auto note = [&events](const std::string& text) { events.note(text); };
   if (!spec_.checkpoint.empty() && base) {
@@ -20,7 +20,7 @@ RenderWriters::RenderWriters(const RenderOrder& order, const Integrator& integra
   }
   if (!spec_.outputs.empty()) {
     pictures_ = std::make_unique<PictureWriter>(
-        spec_.outputs, spec_.output_every.value_or(RenderOrder::kNever), order.picture_requests,
+        spec_.outputs, spec_.output_every.value_or(RenderRequest::kNever), request.picture_requests,
         spec_.display(), std::move(develop), trouble, note);
   }
 }

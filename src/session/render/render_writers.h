@@ -7,8 +7,8 @@
 #include "session/output/picture_writer.h"
 #include "session/preview/preview.h"
 #include "session/render/render_events.h"
-#include "session/render/render_order.h"
 #include "session/render/render_outcome.h"
+#include "session/render/render_request.h"
 
 namespace ajar {
 
@@ -17,7 +17,7 @@ class RenderWriters {
  public:
   /// `base`: of the checkpoints; empty: none are written. `preview`: may be null. Tells `events`
   /// what goes wrong. All that is referred to must outlive this.
-  RenderWriters(const RenderOrder& order, const Integrator& integrator,
+  RenderWriters(const RenderRequest& request, const Integrator& integrator,
                 std::optional<Checkpoint> base, std::unique_ptr<Preview> preview,
                 PictureWriter::Develop develop, RenderEvents& events);
 

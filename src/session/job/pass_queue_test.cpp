@@ -1,4 +1,4 @@
-#include "session/job/between_passes.h"
+#include "session/job/pass_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 namespace ajar {
 namespace {
 
-class BetweenPassesTest : public ::testing::Test {
+class PassQueueTest : public ::testing::Test {
  protected:
   /// Asks like another thread.
-  std::future<bool> asked(BetweenPasses::Look look) {
+  std::future<bool> asked(PassQueue::Look look) {
     return std::async(std::launch::async,
                       [this, look = std::move(look)]() mutable { return passes_.ask(look); });
   }
@@ -20,7 +20,7 @@ class BetweenPassesTest : public ::testing::Test {
     while (!passes_.wants_picture(state_)) std::this_thread::yield();
   }
 
-  BetweenPasses passes_;
+  PassQueue passes_;
   const Film film_{Vec2i(2, 2),
                    Box2i(Vec2i(0, 0), Vec2i(1, 1)),
                    Filter::box(),
@@ -29,7 +29,7 @@ class BetweenPassesTest : public ::testing::Test {
   JobState state_;
 };
 
-TEST_F(BetweenPassesTest, AnswersOnTheThreadThatRenders) {
+TEST_F(PassQueueTest, AnswersOnTheThreadThatRenders) {
   passes_.open();
   state_.samples_per_pixel = 7;
   std::thread::id seen_by;
@@ -44,7 +44,7 @@ TEST_F(BetweenPassesTest, AnswersOnTheThreadThatRenders) {
   EXPECT_FALSE(passes_.wants_picture(state_));
 }
 
-TEST_F(BetweenPassesTest, RaisesWhereItWasAsked) {
+TEST_F(PassQueueTest, RaisesWhereItWasAsked) {
   passes_.open();
   auto answer =
       asked([](const Film&, const JobState&) { throw std::runtime_error("no memory, say"); });
@@ -53,7 +53,7 @@ TEST_F(BetweenPassesTest, RaisesWhereItWasAsked) {
   EXPECT_THROW(answer.get(), std::runtime_error);
 }
 
-TEST_F(BetweenPassesTest, ServesThoseWhoWaitAtTheEnd) {
+TEST_F(PassQueueTest, ServesThoseWhoWaitAtTheEnd) {
   passes_.open();
   auto answer = asked([](const Film&, const JobState&) {});
   wait_until_asked();
@@ -62,7 +62,7 @@ TEST_F(BetweenPassesTest, ServesThoseWhoWaitAtTheEnd) {
   EXPECT_FALSE(asked([](const Film&, const JobState&) {}).get());
 }
 
-TEST_F(BetweenPassesTest, LetsThemGoIfThereIsNoEnd) {
+TEST_F(PassQueueTest, LetsThemGoIfThereIsNoEnd) {
   passes_.open();
   auto answer = asked([](const Film&, const JobState&) { FAIL(); });
   wait_until_asked();
@@ -70,7 +70,7 @@ TEST_F(BetweenPassesTest, LetsThemGoIfThereIsNoEnd) {
   EXPECT_FALSE(answer.get());
 }
 
-TEST_F(BetweenPassesTest, DoesNotWaitForItself) {
+TEST_F(PassQueueTest, DoesNotWaitForItself) {
   const auto look = [](const Film&, const JobState&) { FAIL(); };
   EXPECT_FALSE(passes_.ask(look));
   passes_.open();

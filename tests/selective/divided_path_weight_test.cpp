@@ -1,4 +1,4 @@
-#include "integrator/metropolis/path_share.h"
+#include "integrator/metropolis/divided_path_weight.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ namespace {
 struct Found {
   Path path;
   Technique technique;
-  bool hit_only;
+  bool unidirectional_only;
   double light;  ///< luminance, MIS weight in it
 };
 
@@ -34,8 +34,10 @@ class Collector final : public PathRecorder {
   using PathRecorder::PathRecorder;
   void record(const Path& path, const Contribution& contribution) override {
     if (!Division::divides(contribution.technique)) return;
-    const auto light = static_cast<double>(luminance(contribution.value) / contribution.chance);
-    if (light > 0.0) found.push_back({path, contribution.technique, contribution.hit_only, light});
+    const auto light =
+        static_cast<double>(luminance(contribution.value) / contribution.roulette_weight);
+    if (light > 0.0)
+      found.push_back({path, contribution.technique, contribution.unidirectional_only, light});
   }
   std::vector<Found> found;
 };
@@ -72,7 +74,7 @@ Division random_division(const Box2i& crop, const ImportanceMap& importance) {
       return static_cast<float>(to_unit_double(hash_numbers(11, i, n)));
     };
     shares[i].threshold = number(0) < 0.2F ? 0.F : number(1);
-    shares[i].target = number(2) < 0.2F ? 0.F : number(3);
+    shares[i].target_scale = number(2) < 0.2F ? 0.F : number(3);
   }
   return {crop, std::move(shares), importance};
 }
@@ -88,7 +90,7 @@ double slow_share(const Scene& scene, const PathSamplerSettings& settings, const
     const double strength =
         weight * static_cast<double>(luminance(throughput(scene, path, technique))) /
         tries(settings, technique) * static_cast<double>(division.importance(path.raster));
-    sum += weight * static_cast<double>(share.target) * strength /
+    sum += weight * static_cast<double>(share.target_scale) * strength /
            (static_cast<double>(share.threshold) + strength);
   }
   return sum;
@@ -109,29 +111,30 @@ TEST_P(PathShareOf, IsTheSumOverAllTechniques) {
   for (const char* techniques : {"bdpt", "ibpt"}) {
     for (const Heuristic heuristic : {Heuristic::Power, Heuristic::Balance}) {
       const PathSamplerSettings settings = settings_of(techniques, heuristic);
-      PathShare share(*scene, settings, importance, &division);
-      PathShare whole(*scene, settings, importance, nullptr);
-      PathShare connectible(*scene, settings, importance, nullptr, PathClass::Connectible);
-      PathShare hit(*scene, settings, importance, nullptr, PathClass::HitOnly);
+      DividedPathWeight share(*scene, settings, importance, &division);
+      DividedPathWeight whole(*scene, settings, importance, nullptr);
+      DividedPathWeight connectible(*scene, settings, importance, nullptr, PathClass::Connectible);
+      DividedPathWeight hit(*scene, settings, importance, nullptr, PathClass::UnidirectionalOnly);
       TechniqueParts parts(*scene, settings);
       std::size_t different = 0;
       std::size_t by_several = 0;
       std::size_t hit_only_ones = 0;
       const std::vector<Found> found = found_in(*scene, settings);
-      for (const auto& [path, technique, hit_only, light] : found) {
+      for (const auto& [path, technique, unidirectional_only, light] : found) {
         const double log_light = contribution(*scene, path).log_luminance();
         const double slow = slow_share(*scene, settings, path, division);
         ASSERT_NEAR(share.part(path, log_light), slow, 1e-4 * slow + 1e-12);
         ASSERT_NEAR(whole.part(path, log_light), 1.0, 1e-9);
         // The class of a path is independent of the chain that asks.
-        ASSERT_NEAR(hit.part(path, log_light), hit_only ? 1.0 : 0.0, 1e-9);
-        ASSERT_NEAR(connectible.part(path, log_light), hit_only ? 0.0 : 1.0, 1e-9);
-        ASSERT_TRUE(!hit_only || technique.s == 0);
-        hit_only_ones += hit_only ? 1 : 0;
+        ASSERT_NEAR(hit.part(path, log_light), unidirectional_only ? 1.0 : 0.0, 1e-9);
+        ASSERT_NEAR(connectible.part(path, log_light), unidirectional_only ? 0.0 : 1.0, 1e-9);
+        ASSERT_TRUE(!unidirectional_only || technique.s == 0);
+        hit_only_ones += unidirectional_only ? 1 : 0;
         // The remainder of the technique that found it is one of the terms.
         const double own = parts.of(path, log_light)[static_cast<std::size_t>(technique.s)].light;
         if (!(std::abs(own - light) <= 0.01 * light)) ++different;
-        if (slow > 0.0 && slow < 0.99 * static_cast<double>(division.at(path.raster).target)) {
+        if (slow > 0.0 &&
+            slow < 0.99 * static_cast<double>(division.at(path.raster).target_scale)) {
           ++by_several;
         }
       }
@@ -161,7 +164,7 @@ TEST(PathClasses, MakeAllOfAStateTogether) {
   };
   OnePathTarget all = target_of(PathClass::All);
   OnePathTarget connectible = target_of(PathClass::Connectible);
-  OnePathTarget hit_only = target_of(PathClass::HitOnly);
+  OnePathTarget unidirectional_only = target_of(PathClass::UnidirectionalOnly);
   std::size_t some_connectible = 0;
   std::size_t some_hit_only = 0;
   for (std::uint64_t i = 0; i < 50000; ++i) {
@@ -174,7 +177,7 @@ TEST(PathClasses, MakeAllOfAStateTogether) {
     };
     const double whole = evaluate(all);
     const double of_connectible = evaluate(connectible);
-    const double of_hit_only = evaluate(hit_only);
+    const double of_hit_only = evaluate(unidirectional_only);
     ASSERT_EQ(of_connectible + of_hit_only, whole);
     if (of_connectible > 0.0) ++some_connectible;
     if (of_hit_only > 0.0) ++some_hit_only;

@@ -4,24 +4,24 @@
 #include <mutex>
 
 #include "imageio/picture.h"
-#include "session/job/between_passes.h"
+#include "session/job/pass_queue.h"
 #include "session/job/render_job.h"
 #include "session/output/stats_json.h"
 
 namespace ajar {
 
 /// Where a render stands, told by the thread that renders, for any thread to see.
-class RenderWatch {
+class RenderMonitor {
  public:
   /// Passes may be looked at, too.
-  BetweenPasses passes;
+  PassQueue passes;
 
   /// From here on `snapshot` asks `source`, which must live until `unfollow`; then its last answer
   /// stays.
-  void follow(std::function<RenderSnapshot()> source);
-  void unfollow();
-  void know(const RenderStatistics& statistics);
-  void know(std::shared_ptr<const Picture> last_picture);
+  void attach(std::function<RenderSnapshot()> source);
+  void detach();
+  void publish(const RenderStatistics& statistics);
+  void publish(std::shared_ptr<const Picture> last_picture);
 
   RenderSnapshot snapshot() const;
   /// The latest that is known, without what passes have found since.

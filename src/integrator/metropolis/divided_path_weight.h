@@ -16,14 +16,15 @@ namespace ajar {
 ///
 /// over the techniques of a sampler, with what `ChainWeight` leaves of each, and w_t its MIS
 /// weight.
-class PathShare final : public PathWeight {
+class DividedPathWeight final : public PathWeight {
  public:
   /// All arguments must outlive it; `part` is null if techniques leave all they find: then W
   /// is 1 on paths that any of them makes, and 0 elsewhere. Chains of a sampler that runs into
   /// lights start from manifold connections, too; what these find that no technique can make is all
   /// theirs: W is 1. Outside of `paths` it is 0.
-  PathShare(const Scene& scene, PathSamplerSettings settings, const ImportanceMap& importance,
-            const ChainWeight* part, PathClass paths = PathClass::All)
+  DividedPathWeight(const Scene& scene, PathSamplerSettings settings,
+                    const ImportanceMap& importance, const ChainWeight* part,
+                    PathClass paths = PathClass::All)
       : scene_(scene),
         makes_hits_(settings.techniques.any(TechniqueClass::Implicit)),
         parts_(scene, std::move(settings)),

@@ -11,7 +11,7 @@ namespace ajar {
 
 /// Lets other threads look at a render: what they ask is answered between passes, on the thread
 /// that renders, which nothing disturbs meanwhile.
-class BetweenPasses final : public PassObserver {
+class PassQueue final : public PassObserver {
  public:
   using Look = std::function<void(const Film& film, const JobState& state)>;
 

@@ -1,4 +1,4 @@
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,8 @@ bool declares(const IntegratorInfo& info, const std::string& parameter) {
                      [&](const ParameterSpec& spec) { return spec.name == parameter; });
 }
 
-void choose_integrator(const RenderSpec& spec, const desc::RenderHints& hints, RenderSetup& setup) {
+void choose_integrator(const RenderSpec& spec, const desc::RenderHints& hints,
+                       ResolvedRender& setup) {
   if (!spec.integrator.empty()) {
     setup.integrator = &find_integrator(spec.integrator);
   } else if (hints.integrator == kPlain) {
@@ -66,7 +67,7 @@ std::string our_name(const std::string& name) {
 
 /// Takes a parameter from the scene if it is of use here; a scene made for another renderer is no
 /// reason to refuse.
-void take_hint(const std::string& name, const std::string& value, RenderSetup& setup) {
+void take_hint(const std::string& name, const std::string& value, ResolvedRender& setup) {
   const IntegratorInfo& info = *setup.integrator;
   if (!declares(info, name)) return;
   try {
@@ -77,7 +78,8 @@ void take_hint(const std::string& name, const std::string& value, RenderSetup& s
   }
 }
 
-void choose_parameters(const RenderSpec& spec, const desc::RenderHints& hints, RenderSetup& setup) {
+void choose_parameters(const RenderSpec& spec, const desc::RenderHints& hints,
+                       ResolvedRender& setup) {
   const IntegratorInfo& info = *setup.integrator;
   if (hints.integrator == info.name) {
     for (const auto& [name, value] : hints.parameters) {
@@ -90,21 +92,21 @@ void choose_parameters(const RenderSpec& spec, const desc::RenderHints& hints, R
   for (const auto& [name, value] : spec.parameters) setup.parameters[name] = value;
 }
 
-void choose_budget(const RenderSpec& spec, const desc::RenderHints& hints, RenderSetup& setup) {
+void choose_budget(const RenderSpec& spec, const desc::RenderHints& hints, ResolvedRender& setup) {
   setup.budget = spec.budget();
   Budget& budget = setup.budget;
   if (!budget.samples_per_pixel && !budget.seconds && !budget.target_error) {
-    const int samples = hints.samples_per_pixel.value_or(RenderSetup::kDefaultSamples);
+    const int samples = hints.samples_per_pixel.value_or(ResolvedRender::kDefaultSamples);
     budget.samples_per_pixel = static_cast<std::uint64_t>(std::max(1, samples));
   }
-  setup.settings.replicates = RenderSetup::kReplicates;
-  if (budget.samples_per_pixel && *budget.samples_per_pixel < RenderSetup::kReplicates) {
+  setup.settings.replicates = ResolvedRender::kReplicates;
+  if (budget.samples_per_pixel && *budget.samples_per_pixel < ResolvedRender::kReplicates) {
     setup.settings.replicates = static_cast<int>(*budget.samples_per_pixel);
   }
   check_budget(budget, setup.settings.replicates);
 }
 
-void choose_depth(const RenderSpec& spec, const desc::RenderHints& hints, RenderSetup& setup) {
+void choose_depth(const RenderSpec& spec, const desc::RenderHints& hints, ResolvedRender& setup) {
   RenderSettings& settings = setup.settings;
   settings.min_depth = spec.min_depth.value_or(1);
   settings.max_depth =
@@ -123,7 +125,7 @@ std::optional<CropWindow> crop_of(const RenderSpec& spec) {
   return window;
 }
 
-void choose_pixels(const RenderSpec& spec, const desc::Film& film, RenderSetup& setup) {
+void choose_pixels(const RenderSpec& spec, const desc::Film& film, ResolvedRender& setup) {
   Vec2i& resolution = setup.resolution;
   resolution = film.resolution;
   if (const auto& size = spec.resolution) resolution = {size->at(0), size->at(1)};
@@ -159,9 +161,9 @@ void choose_pixels(const RenderSpec& spec, const desc::Film& film, RenderSetup& 
 
 }  // namespace
 
-RenderSetup make_setup(const RenderSpec& spec, const desc::RenderHints& hints,
-                       const desc::Film& film) {
-  RenderSetup setup;
+ResolvedRender resolve_render(const RenderSpec& spec, const desc::RenderHints& hints,
+                              const desc::Film& film) {
+  ResolvedRender setup;
   choose_integrator(spec, hints, setup);
   choose_parameters(spec, hints, setup);
   choose_budget(spec, hints, setup);
@@ -185,8 +187,8 @@ void check_budget(const Budget& budget, int replicates) {
   }
 }
 
-RenderSetup setup_of(const RenderRecord& record, const Budget& budget) {
-  RenderSetup setup;
+ResolvedRender setup_of(const RenderRecord& record, const Budget& budget) {
+  ResolvedRender setup;
   setup.integrator = &find_integrator(record.integrator);
   setup.parameters = record.given;
   setup.budget = budget;
@@ -198,7 +200,7 @@ RenderSetup setup_of(const RenderRecord& record, const Budget& budget) {
   return setup;
 }
 
-RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
+RenderRecord record_of(const ResolvedRender& setup, const Parameters& parameters,
                        const std::string& scene, RenderSpec spec) {
   RenderRecord record;
   record.scene = absolute_scene(scene);
@@ -226,7 +228,7 @@ Film film_for(const Scene& scene, const RenderSettings& settings, const Integrat
           integrator.layers()};
 }
 
-void check_layers(const RenderSetup& setup, const std::vector<LayerSpec>& layers) {
+void check_layers(const ResolvedRender& setup, const std::vector<LayerSpec>& layers) {
   for (const std::string& name : setup.settings.aovs) {
     // An AOV is a layer, or a group of layers whose names begin with it, or made with another.
     const AovInfo* const info = find_aov(name);

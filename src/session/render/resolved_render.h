@@ -14,7 +14,7 @@
 namespace ajar {
 
 /// Specification and scene's wishes put together, complete and checked.
-struct RenderSetup {
+struct ResolvedRender {
   static constexpr int kDefaultSamples = 64;
   static constexpr int kReplicates = 4;
 
@@ -30,15 +30,15 @@ struct RenderSetup {
 };
 
 /// Raises UsageError for what cannot be.
-RenderSetup make_setup(const RenderSpec& spec, const desc::RenderHints& hints,
-                       const desc::Film& film);
+ResolvedRender resolve_render(const RenderSpec& spec, const desc::RenderHints& hints,
+                              const desc::Film& film);
 
 /// Raises UsageError for limits that cannot be, or cannot be with so many replicates.
 void check_budget(const Budget& budget, int replicates);
 /// The setup of a render that goes on. Raises UsageError if this program has no such integrator.
-RenderSetup setup_of(const RenderRecord& record, const Budget& budget);
+ResolvedRender setup_of(const RenderRecord& record, const Budget& budget);
 /// Record of a setup and of `spec`, for checkpoints; `parameters` are the integrator's.
-RenderRecord record_of(const RenderSetup& setup, const Parameters& parameters,
+RenderRecord record_of(const ResolvedRender& setup, const Parameters& parameters,
                        const std::string& scene, RenderSpec spec);
 
 /// For the whole picture of a scene that was built, all else as by default.
@@ -48,6 +48,6 @@ Film film_for(const Scene& scene, const RenderSettings& settings, const Integrat
 
 /// Raises UsageError if a layer that was asked for is not among `layers`, which the integrator
 /// makes.
-void check_layers(const RenderSetup& setup, const std::vector<LayerSpec>& layers);
+void check_layers(const ResolvedRender& setup, const std::vector<LayerSpec>& layers);
 
 }  // namespace ajar

@@ -9,13 +9,13 @@
 #include "session/job/interrupts.h"
 #include "session/job/ranks.h"
 #include "session/options/render_spec.h"
-#include "session/render/render_setup.h"
+#include "session/render/resolved_render.h"
 #include "session/scenes/loaded_scene.h"
 
 namespace ajar {
 
 /// A render that is wanted, new or to be gone on with.
-struct RenderOrder {
+struct RenderRequest {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
   /// A file, or builtin:NAME (`load_scene`). If it is `loaded`: what that is called.
@@ -46,16 +46,16 @@ struct RenderOrder {
 
 /// To be called before a checkpoint is read that may be gone on with, and then written. Raises
 /// IoError if another program writes there.
-void lock_checkpoint_of(RenderOrder& order);
+void lock_checkpoint_of(RenderRequest& request);
 
 /// Lets a request go on with the checkpoint of that name, if there is such a file. Raises IoError
 /// as `read_checkpoint` does.
-bool resume_if_there(const std::string& path, RenderOrder& order);
+bool resume_if_there(const std::string& path, RenderRequest& request);
 
 /// Goes on with the render of a checkpoint as it was: what `ajar resume` takes is the order's where
 /// that has it, all else that is kept is the checkpoint's, and where none is to be written, it is
 /// written again.
 /// Raises IoError as `lock_checkpoint` and `read_checkpoint` do.
-void resume_from(const std::string& path, RenderOrder& order);
+void resume_from(const std::string& path, RenderRequest& request);
 
 }  // namespace ajar

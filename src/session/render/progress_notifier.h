@@ -8,13 +8,13 @@
 namespace ajar {
 
 /// Tells a listener of each pass, and shows it the picture every now and then.
-class EventTeller final : public PassObserver {
+class ProgressNotifier final : public PassObserver {
  public:
   using Snapshot = std::function<RenderSnapshot()>;
 
   /// `every`: seconds between pictures; infinite for none. `events` must outlive this.
-  EventTeller(RenderEvents& events, double every, Snapshot snapshot,
-              PictureWriter::Develop develop);
+  ProgressNotifier(RenderEvents& events, double every, Snapshot snapshot,
+                   PictureWriter::Develop develop);
 
   bool wants_picture(const JobState& state) override;
   void see_picture(const Film& film, const JobState& state) override;

@@ -1,4 +1,4 @@
-#include "integrator/metropolis/path_share.h"
+#include "integrator/metropolis/divided_path_weight.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,7 +8,7 @@
 
 namespace ajar {
 
-double PathShare::part(const Path& path, double log_light) {
+double DividedPathWeight::part(const Path& path, double log_light) {
   if (!has_paths(paths_, is_hit_only(path))) return 0.0;
   if (no_technique_makes(path)) {
     return makes_hits_ && ManifoldSeeds::finds(scene_, path) ? 1.0 : 0.0;
@@ -21,8 +21,8 @@ double PathShare::part(const Path& path, double log_light) {
     ++s;
     if (own.weight == 0.0) continue;
     const auto light = static_cast<float>(std::min(own.light, kMost));
-    const float share = part_ != nullptr ? part_->share(technique, light, path.raster) : 1.F;
-    sum += own.weight * static_cast<double>(share);
+    const float weight = part_ != nullptr ? part_->weight(technique, light, path.raster) : 1.F;
+    sum += own.weight * static_cast<double>(weight);
   }
   return sum;
 }

@@ -1,11 +1,11 @@
-#include "session/job/between_passes.h"
+#include "session/job/pass_queue.h"
 
 #include <exception>
 #include <utility>
 
 namespace ajar {
 
-bool BetweenPasses::ask(Look look) {
+bool PassQueue::ask(Look look) {
   std::future<bool> answer;
   {
     const std::lock_guard lock(mutex_);
@@ -16,13 +16,13 @@ bool BetweenPasses::ask(Look look) {
   return answer.get();
 }
 
-void BetweenPasses::open() {
+void PassQueue::open() {
   const std::lock_guard lock(mutex_);
   open_ = true;
   renders_ = std::this_thread::get_id();
 }
 
-void BetweenPasses::close(const Film& film, const JobState& state) {
+void PassQueue::close(const Film& film, const JobState& state) {
   {
     const std::lock_guard lock(mutex_);
     open_ = false;
@@ -30,7 +30,7 @@ void BetweenPasses::close(const Film& film, const JobState& state) {
   see_picture(film, state);
 }
 
-void BetweenPasses::close() {
+void PassQueue::close() {
   {
     const std::lock_guard lock(mutex_);
     open_ = false;
@@ -38,12 +38,12 @@ void BetweenPasses::close() {
   for (Asked& asked : take_all()) asked.answer.set_value(false);
 }
 
-bool BetweenPasses::wants_picture(const JobState& /*state*/) {
+bool PassQueue::wants_picture(const JobState& /*state*/) {
   const std::lock_guard lock(mutex_);
   return !asked_.empty();
 }
 
-void BetweenPasses::see_picture(const Film& film, const JobState& state) {
+void PassQueue::see_picture(const Film& film, const JobState& state) {
   for (Asked& asked : take_all()) {
     try {
       asked.look(film, state);
@@ -54,7 +54,7 @@ void BetweenPasses::see_picture(const Film& film, const JobState& state) {
   }
 }
 
-std::deque<BetweenPasses::Asked> BetweenPasses::take_all() {
+std::deque<PassQueue::Asked> PassQueue::take_all() {
   const std::lock_guard lock(mutex_);
   return std::exchange(asked_, {});
 }

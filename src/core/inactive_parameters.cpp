@@ -1,4 +1,4 @@
-#include "core/meaningless_parameters.h"
+#include "core/inactive_parameters.h"
 
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace ajar {
 
-void refuse_meaningless(std::span<const ParameterSpec> specs, const Parameters& parameters) {
+void refuse_inactive(std::span<const ParameterSpec> specs, const Parameters& parameters) {
   for (const ParameterSpec& spec : specs) {
     if (parameters.matters(spec) || !parameters.given().contains(spec.name)) continue;
     std::string values;

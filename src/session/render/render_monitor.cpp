@@ -1,42 +1,42 @@
-#include "session/render/render_watch.h"
+#include "session/render/render_monitor.h"
 
 #include <utility>
 
 namespace ajar {
 
-void RenderWatch::follow(std::function<RenderSnapshot()> source) {
+void RenderMonitor::attach(std::function<RenderSnapshot()> source) {
   const std::lock_guard lock(mutex_);
   source_ = std::move(source);
 }
 
-void RenderWatch::unfollow() {
+void RenderMonitor::detach() {
   const std::lock_guard lock(mutex_);
   if (!source_) return;
   latest_ = source_();
   source_ = {};
 }
 
-void RenderWatch::know(const RenderStatistics& statistics) {
+void RenderMonitor::publish(const RenderStatistics& statistics) {
   const std::lock_guard lock(mutex_);
   statistics_ = statistics;
 }
 
-void RenderWatch::know(std::shared_ptr<const Picture> last_picture) {
+void RenderMonitor::publish(std::shared_ptr<const Picture> last_picture) {
   const std::lock_guard lock(mutex_);
   last_picture_ = std::move(last_picture);
 }
 
-RenderSnapshot RenderWatch::snapshot() const {
+RenderSnapshot RenderMonitor::snapshot() const {
   const std::lock_guard lock(mutex_);
   return source_ ? source_() : latest_;
 }
 
-RenderStatistics RenderWatch::statistics() const {
+RenderStatistics RenderMonitor::statistics() const {
   const std::lock_guard lock(mutex_);
   return statistics_;
 }
 
-std::shared_ptr<const Picture> RenderWatch::last_picture() const {
+std::shared_ptr<const Picture> RenderMonitor::last_picture() const {
   const std::lock_guard lock(mutex_);
   return last_picture_;
 }
