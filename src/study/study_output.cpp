@@ -6,10 +6,9 @@
 
 #include "os/atomic_file.h"
 #include "session/output/stats_json.h"
-#include "study/log_plot.h"
 #include "study/machine.h"
+#include "study/study_plots.h"
 #include "study/study_report.h"
-#include "study/study_sweep.h"
 #include "study/study_table.h"
 #include "study/text_formats.h"
 
@@ -103,45 +102,6 @@ Json run_json(const StudyPlan& plan, const FinishedRun& finished) {
           {"load_average", record.value("load_average", Json())},
           {"machine", record.value("machine", Json())},
           {"statistics", record.at("statistics")}};
-}
-
-std::string axis_title(const Metric& metric) {
-  return metric.name + (metric.unit.empty() ? "" : " [" + metric.unit + "]");
-}
-
-LogPlot plot_of(const StudyPlan& plan, const std::vector<SummaryRow>& rows, std::size_t scene,
-                std::size_t metric) {
-  LogPlot plot{plan.scenes[scene].name, "seconds", axis_title(*plan.metrics[metric]), {}};
-  for (std::size_t method = 0; method < plan.methods.size(); ++method) {
-    if (!is_in_time_curves(plan, plan.methods[method])) continue;
-    PlotCurve curve{plan.methods[method].name, {}};
-    for (const SummaryRow& row : rows) {
-      const Mean& value = row.metrics[metric];
-      if (row.scene != scene || row.method != method || value.count == 0) continue;
-      curve.points.push_back({row.seconds.mean, value.mean, value.mean - value.deviation,
-                              value.mean + value.deviation});
-    }
-    plot.curves.push_back(std::move(curve));
-  }
-  return plot;
-}
-
-LogPlot plot_of(const StudyPlan& plan, const SweepPlot& sweep) {
-  const std::string budget = sweep.budget.empty() ? "" : ", " + sweep.budget;
-  LogPlot plot{plan.scenes[sweep.scene].name + budget,
-               sweep.parameter,
-               axis_title(*plan.metrics[sweep.metric]),
-               {}};
-  for (const SweepCurve& from : sweep.curves) {
-    PlotCurve curve{from.name, {}};
-    for (const SweepPoint& point : from.points) {
-      const Mean& value = point.metric;
-      curve.points.push_back(
-          {point.value, value.mean, value.mean - value.deviation, value.mean + value.deviation});
-    }
-    plot.curves.push_back(std::move(curve));
-  }
-  return plot;
 }
 
 std::string curves_csv(const StudyPlan& plan, const std::vector<SummaryRow>& rows) {
@@ -261,24 +221,13 @@ namespace {
 std::string write_plots(const StudyPlan& plan, const std::vector<SummaryRow>& rows,
                         const fs::path& out) {
   std::string markdown;
-  const auto write = [&](const std::string& path, const std::string& title, const LogPlot& plot) {
-    fs::create_directories((out / path).parent_path());
-    write_text(out / path, to_svg(plot));
-    markdown += fmt::format("\n![{}]({})\n", markdown_text(title), path);
-  };
   for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-    for (std::size_t metric = 0; metric < plan.metrics.size(); ++metric) {
-      if (plan.metrics[metric]->larger_is_better) continue;
-      const std::string& name = plan.metrics[metric]->name;
-      write(fmt::format("curves/{}-{}.svg", file_name(plan.scenes[scene].name), name),
-            name + " of " + plan.scenes[scene].name, plot_of(plan, rows, scene, metric));
+    for (const LogPlot& plot : scene_plots(plan, rows, scene)) {
+      fs::create_directories((out / plot.file).parent_path());
+      write_text(out / plot.file, to_svg(plot));
+      markdown += fmt::format("\n![{} of {} against {}]({})\n", markdown_text(plot.y_label),
+                              markdown_text(plot.title), markdown_text(plot.x_label), plot.file);
     }
-  }
-  for (const SweepPlot& sweep : sweep_plots(plan, rows)) {
-    const std::string& scene = plan.scenes[sweep.scene].name;
-    const std::string& name = plan.metrics[sweep.metric]->name;
-    write(fmt::format("sweeps/{}-{}-{}.svg", file_name(scene), sweep.parameter, name),
-          fmt::format("{} of {} against {}", name, scene, sweep.parameter), plot_of(plan, sweep));
   }
   return markdown;
 }

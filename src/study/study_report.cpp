@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "study/report_image.h"
-#include "study/study_sweep.h"
+#include "study/study_plots.h"
 #include "study/study_table.h"
 
 namespace ajar::study {
@@ -54,42 +54,6 @@ void add_tables(Report& report, const StudyPlan& plan, const StudyResult& result
   }
 }
 
-/// Points and bars of the plots beside study.md.
-void add_curves(Report& report, const StudyPlan& plan, const std::vector<SummaryRow>& rows,
-                std::size_t scene) {
-  for (std::size_t metric = 0; metric < plan.metrics.size(); ++metric) {
-    // The axes are logarithmic: for errors, not for decibels.
-    if (plan.metrics[metric]->larger_is_better) continue;
-    for (std::size_t method = 0; method < plan.methods.size(); ++method) {
-      if (!is_in_time_curves(plan, plan.methods[method])) continue;
-      ReportCurve curve{plan.methods[method].name, plan.metrics[metric]->name, "seconds", {}};
-      for (const SummaryRow& row : rows) {
-        const Mean& value = row.metrics[metric];
-        if (row.scene != scene || row.method != method || value.count == 0) continue;
-        curve.points.push_back({row.seconds.mean, value.mean, value.mean - value.deviation,
-                                value.mean + value.deviation});
-      }
-      if (!curve.points.empty()) report.curves.push_back(std::move(curve));
-    }
-  }
-}
-
-void add_sweeps(Report& report, const StudyPlan& plan, const std::vector<SummaryRow>& rows,
-                std::size_t scene) {
-  for (const SweepPlot& sweep : sweep_plots(plan, rows)) {
-    if (sweep.scene != scene) continue;
-    for (const SweepCurve& from : sweep.curves) {
-      ReportCurve curve{from.name, plan.metrics[sweep.metric]->name, sweep.parameter, {}};
-      for (const SweepPoint& point : from.points) {
-        const Mean& value = point.metric;
-        curve.points.push_back(
-            {point.value, value.mean, value.mean - value.deviation, value.mean + value.deviation});
-      }
-      report.curves.push_back(std::move(curve));
-    }
-  }
-}
-
 /// Emphasis in Markdown is nothing to a report.
 std::string plain(const std::string& markdown) {
   std::string text;
@@ -111,8 +75,7 @@ Report scene_report(const StudyPlan& plan, const StudyResult& result,
   if (!reference.empty() && add_image(report, "reference", reference)) report.reference = 0;
   add_pictures(report, plan, result, scene);
   add_tables(report, plan, result, rows, scene);
-  add_curves(report, plan, rows, scene);
-  add_sweeps(report, plan, rows, scene);
+  report.plots = scene_plots(plan, rows, scene);
   report.notes.push_back(fmt::format("{} of {} renders of the study are finished.",
                                      result.runs.size(), result.planned));
   report.notes.push_back(fmt::format(

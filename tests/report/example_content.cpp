@@ -61,8 +61,8 @@ void measure(ReportImage& image, const ReportImage& reference) {
                    {"PSNR", psnr(pixels, truth)}};
 }
 
-std::vector<ReportCurve::Point> convergence(double start, double slope, double spread) {
-  std::vector<ReportCurve::Point> points;
+std::vector<PlotPoint> convergence(double start, double slope, double spread) {
+  std::vector<PlotPoint> points;
   for (int i = 0; i < 14; ++i) {
     const double seconds = 0.5 * std::pow(1.5, i);
     const double mean = start * std::pow(seconds, slope) * (1 + 0.05 * std::sin(9 * seconds));
@@ -102,21 +102,32 @@ Report example_report_of(std::vector<ReportImage> images) {
       {"MSE", "Mean of (a − r)².", false},
       {"PSNR", "10·log10(1 / MSE) in dB.", true},
   };
-  report.curves = {{"pt", "relMSE", "seconds", convergence(0.9, -0.93, 1.15)},
-                   {"ibpt", "relMSE", "seconds", convergence(0.2, -0.98, 1.12)},
-                   {"bdpt", "relMSE", "seconds", convergence(0.15, -1.0, 1.1)},
-                   {"mmlt", "relMSE", "seconds", convergence(0.3, -0.9, 1.6)},
-                   {"pt", "MAE", "seconds", convergence(0.5, -0.47, 1.1)},
-                   {"mmlt", "MAE", "seconds", convergence(0.25, -0.45, 1.3)}};
-  // Few values close to each other: axes of less than a decade.
-  report.curves.push_back(
-      {"mmlt",
-       "PSNR",
+  report.plots = {
+      {"floor lamps",
+       "seconds",
+       "relMSE",
+       {{"pt", convergence(0.9, -0.93, 1.15)},
+        {"ibpt", convergence(0.2, -0.98, 1.12)},
+        {"bdpt", convergence(0.15, -1.0, 1.1)},
+        {"mmlt", convergence(0.3, -0.9, 1.6)}},
+       "Mean of (a − r)² / (r² + 0.01).",
+       ""},
+      {"floor lamps",
+       "seconds",
+       "MAE",
+       {{"pt", convergence(0.5, -0.47, 1.1)}, {"mmlt", convergence(0.25, -0.45, 1.3)}},
+       "",
+       ""},
+      // Few values close to each other: axes of less than a decade.
+      {"floor lamps, 20s",
        "sigma",
-       {{0.003, 30.1, 29.8, 30.4}, {0.01, 31.2, 31, 31.4}, {0.03, 30.7, 30.1, 31.3}}});
-  report.curves.push_back(
-      {"pt", "PSNR", "sigma", {{0.003, 29.9, 29.8, 30}, {0.03, 29.9, 29.8, 30}}});
-  report.curves[3].points.push_back({200, std::nan(""), 0, 0});
+       "PSNR",
+       {{"mmlt", {{0.003, 30.1, 29.8, 30.4}, {0.01, 31.2, 31, 31.4}, {0.03, 30.7, 30.1, 31.3}}},
+        {"pt", {{0.003, 29.9, 29.8, 30}, {0.03, 29.9, 29.8, 30}}}},
+       "10·log10(1 / MSE) in dB.",
+       ""}};
+  report.plots[0].curves[3].points.push_back({200, std::nan(""), 0, 0});
+  number_styles(report.plots);
   report.tables = {{"Rays per second",
                     {"Method", "Samples per pixel", "Rays, M/s", "Remark"},
                     {{"pt", "412", "5.2", "loses the caustics"},
@@ -148,8 +159,8 @@ Report example_report() {
   report.title = "Example & <b>test</b>";
   report.images[1].metadata = {
       {"integrator", "pt"}, {"samples", "4"}, {"<i>key</i>", "<script>throw 2</script>"}};
-  report.curves.push_back(
-      {"<svg onload=throw(3)>", "relMSE", "seconds", convergence(0.4, -0.8, 1.2)});
+  report.plots[0].curves.push_back({"<svg onload=throw(3)>", convergence(0.4, -0.8, 1.2)});
+  number_styles(report.plots);
   return report;
 }
 

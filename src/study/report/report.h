@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "study/report/log_plot.h"
+
 namespace ajar {
 
 /// One layer of an image: colours or single numbers.
@@ -32,20 +34,6 @@ struct ReportMetric {
   bool more_is_better = false;
 };
 
-/// A method's metric over time, or over the values of a parameter.
-struct ReportCurve {
-  struct Point {
-    double x = 0;
-    double mean = 0;
-    double low = 0;  ///< error band; equal to `mean` where there is none
-    double high = 0;
-  };
-  std::string name;              ///< name of the method; it keeps its colour on all charts
-  std::string metric;            ///< curves of the same metric and `over` share a chart
-  std::string over = "seconds";  ///< x axis: "seconds", or the name of a parameter
-  std::vector<Point> points;
-};
-
 struct ReportTable {
   std::string title;
   std::vector<std::string> header;
@@ -59,7 +47,7 @@ struct Report {
   std::vector<ReportImage> images;
   std::optional<std::size_t> reference;  ///< index into `images`
   std::vector<ReportMetric> metrics;     ///< gives the order of the columns
-  std::vector<ReportCurve> curves;
+  std::vector<LogPlot> plots;  ///< a name has one colour in all of them: see `number_styles`
   std::vector<ReportTable> tables;
   std::vector<std::string> notes;  ///< paragraphs
 };

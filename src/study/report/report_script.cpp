@@ -35,13 +35,17 @@ Json image_json(const ReportImage& image, std::size_t index) {
           {"metrics", metrics}};
 }
 
-Json curve_json(const ReportCurve& curve) {
+Json curve_json(const LogPlot& plot, const PlotCurve& curve) {
   Json points = Json::array();
-  for (const ReportCurve::Point& point : curve.points) {
+  for (const PlotPoint& point : curve.points) {
     points.push_back(
-        Json::array({number(point.x), number(point.mean), number(point.low), number(point.high)}));
+        Json::array({number(point.x), number(point.y), number(point.low), number(point.high)}));
   }
-  return {{"name", curve.name}, {"metric", curve.metric}, {"over", curve.over}, {"points", points}};
+  return {{"name", curve.name},
+          {"metric", plot.y_label},
+          {"over", plot.x_label},
+          {"description", plot.description},
+          {"points", points}};
 }
 
 std::string ascii(const Json& json) {
@@ -74,7 +78,9 @@ std::string report_script(const Report& report, const ReportSize& size) {
                                {"moreIsBetter", metric.more_is_better}});
   }
   json["curves"] = Json::array();
-  for (const ReportCurve& curve : report.curves) json["curves"].push_back(curve_json(curve));
+  for (const LogPlot& plot : report.plots) {
+    for (const PlotCurve& curve : plot.curves) json["curves"].push_back(curve_json(plot, curve));
+  }
   json["tables"] = Json::array();
   for (const ReportTable& table : report.tables) {
     json["tables"].push_back(

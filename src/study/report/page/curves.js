@@ -184,10 +184,9 @@
         key(style.get(name)), name);
     });
 
-  const makeChart = ({ metric, over }, curves, style) => {
+  const makeChart = ({ metric, over, description }, curves, style) => {
     const isTime = over === "seconds";
     const dropped = curves.reduce((sum, curve) => sum + curve.dropped, 0);
-    const { description } = ajar.describeMetric(metric);
     const figure = ajar.element("figure", { class: "chart" },
       ajar.element("figcaption", {}, ajar.element("strong", {}, metric), description ? ` ${description}` : ""));
     if (curves.every(({ points }) => points.length === 0)) {

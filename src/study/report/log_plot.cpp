@@ -1,14 +1,15 @@
-#include "study/log_plot.h"
+#include "study/report/log_plot.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "core/printable_text.h"
 
-namespace ajar::study {
+namespace ajar {
 
 namespace {
 constexpr std::array<const char*, 7> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -100,9 +101,9 @@ std::string line(double x0, double y0, double x1, double y1, const char* color) 
 }
 
 /// The first round of colours has circles, the second squares.
-std::string mark(double x, double y, std::size_t curve) {
-  const char* color = kColors[curve % kColors.size()];
-  if (curve / kColors.size() % 2 == 0) {
+std::string mark(double x, double y, std::size_t style) {
+  const char* color = kColors[style % kColors.size()];
+  if (style / kColors.size() % 2 == 0) {
     return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y,
                        color);
   }
@@ -169,18 +170,19 @@ class Drawing {
   }
 
   std::string curve(std::size_t i) const {
-    const char* color = kColors[i % kColors.size()];
+    const std::size_t style = plot_.curves[i].style;
+    const char* color = kColors[style % kColors.size()];
     std::string path;
     std::string text;
     for (const PlotPoint& p : plot_.curves[i].points) {
       path += fmt::format("{:.1f},{:.1f} ", at_x(p.x), at_y(p.y));
       text += line(at_x(p.x), at_y(p.low), at_x(p.x), at_y(p.high), color);
-      text += mark(at_x(p.x), at_y(p.y), i);
+      text += mark(at_x(p.x), at_y(p.y), style);
     }
     text += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", path, color);
     const double y = kTop + kLineHeight * (static_cast<double>(i) + 0.5);
     text += line(kLeft + kWidth + 10, y, kLeft + kWidth + 34, y, color);
-    text += mark(kLeft + kWidth + 22, y, i);
+    text += mark(kLeft + kWidth + 22, y, style);
     return text + text_at(kLeft + kWidth + 40, y + 4, "start", plot_.curves[i].name);
   }
 
@@ -189,6 +191,15 @@ class Drawing {
 };
 }  // namespace
 
+void number_styles(std::vector<LogPlot>& plots) {
+  std::map<std::string, std::size_t> styles;
+  for (LogPlot& plot : plots) {
+    for (PlotCurve& curve : plot.curves) {
+      curve.style = styles.try_emplace(curve.name, styles.size()).first->second;
+    }
+  }
+}
+
 std::string to_svg(const LogPlot& plot) { return Drawing(plot).svg(); }
 
-}  // namespace ajar::study
+}  // namespace ajar

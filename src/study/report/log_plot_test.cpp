@@ -1,11 +1,11 @@
-#include "study/log_plot.h"
+#include "study/report/log_plot.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <regex>
 
-namespace ajar::study {
+namespace ajar {
 namespace {
 
 /// Numbers that follow `attribute="` in the marks of a plot.
@@ -18,9 +18,12 @@ std::vector<double> circles(const std::string& svg, const std::string& attribute
   return values;
 }
 
+std::string svg_of(const std::vector<PlotPoint>& points) {
+  return to_svg({"", "", "", {{"a", points}}, "", ""});
+}
+
 TEST(LogPlot, EqualFactorsAreEqualDistances) {
-  LogPlot plot{"room", "seconds", "error", {{"pt", {{1, 8, 7, 9}, {4, 2, 1, 3}, {2, 4, 3, 5}}}}};
-  const std::string svg = to_svg(plot);
+  const std::string svg = svg_of({{1, 8, 7, 9}, {4, 2, 1, 3}, {2, 4, 3, 5}});
   const std::vector<double> x = circles(svg, "cx");
   const std::vector<double> y = circles(svg, "cy");
   ASSERT_EQ(x.size(), 4U) << "three points, in order, and the legend";
@@ -31,9 +34,7 @@ TEST(LogPlot, EqualFactorsAreEqualDistances) {
 }
 
 TEST(LogPlot, LeavesOutValuesWithoutALogarithm) {
-  const LogPlot plot{
-      "", "", "", {{"a", {{1, 0, 0, 0}, {0, 1, 1, 1}, {1, NAN, 1, 1}, {1, 1, -1, 3}}}}};
-  const std::string svg = to_svg(plot);
+  const std::string svg = svg_of({{1, 0, 0, 0}, {0, 1, 1, 1}, {1, NAN, 1, 1}, {1, 1, -1, 3}});
   EXPECT_EQ(circles(svg, "cx").size(), 2U) << "one point and the legend";
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
@@ -41,8 +42,7 @@ TEST(LogPlot, LeavesOutValuesWithoutALogarithm) {
 
 TEST(LogPlot, AxesOfAFewPerCentHaveTicksToo) {
   for (const double high : {1.03, 1.3, 4.0, 30.0}) {
-    const LogPlot plot{"", "", "", {{"a", {{1, 2, 2, 2}, {100, 2 * high, 2, 2}}}}};
-    const std::string svg = to_svg(plot);
+    const std::string svg = svg_of({{1, 2, 2, 2}, {100, 2 * high, 2, 2}});
     const std::regex label("text-anchor=\"end\"");
     const auto ticks = std::distance(std::sregex_iterator(svg.begin(), svg.end(), label), {});
     EXPECT_GE(ticks, 3) << high;
@@ -51,15 +51,15 @@ TEST(LogPlot, AxesOfAFewPerCentHaveTicksToo) {
 }
 
 TEST(LogPlot, OfNothingIsAFrame) {
-  const std::string svg = to_svg({"", "", "", {{"a", {}}}});
+  const std::string svg = svg_of({});
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
 }
 
 TEST(LogPlot, EscapesNames) {
-  const std::string svg = to_svg({"a<b & \"c\"", "", "", {}});
+  const std::string svg = to_svg({"a<b & \"c\"", "", "", {}, "", ""});
   EXPECT_NE(svg.find("a&lt;b &amp; &quot;c&quot;"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace ajar::study
+}  // namespace ajar

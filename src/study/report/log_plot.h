@@ -1,8 +1,9 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
-namespace ajar::study {
+namespace ajar {
 
 /// A point of a curve with the spread of the runs behind it.
 struct PlotPoint {
@@ -14,15 +15,21 @@ struct PlotPoint {
 struct PlotCurve {
   std::string name;
   std::vector<PlotPoint> points;  ///< in any order
+  std::size_t style = 0;          ///< see `number_styles`
 };
 struct LogPlot {
   std::string title, x_label, y_label;
   std::vector<PlotCurve> curves;
+  std::string description;  ///< a sentence or a formula for y, may be empty; reports print it
+  std::string file;         ///< relative path for those who store it
 };
 
-/// A plot with logarithmic axes as SVG; points that are not above 0 are left out. Colours are those
+/// Gives each name a style of its own, the same in all plots.
+void number_styles(std::vector<LogPlot>& plots);
+
+/// A plot with logarithmic axes as SVG. Points that are not above 0 are left out. Colours are those
 /// of Okabe and Ito (2008), which colour-blind people can distinguish; with more curves than
-/// colours the marks differ as well.
+/// colours dashes and marks differ as well.
 std::string to_svg(const LogPlot& plot);
 
-}  // namespace ajar::study
+}  // namespace ajar
