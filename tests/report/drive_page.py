@@ -82,12 +82,43 @@ def shows_texts_literally(browser):
 
 def shows_results(browser):
     browser.click("#tab-results")
-    expect(browser.evaluate("document.querySelectorAll('#results .chart > svg .curve').length") == 9, "not every curve is drawn")
+    expect(browser.evaluate("document.querySelectorAll('#results .chart > svg .curve:not(.key *)').length") == 9, "not every curve is drawn")
     titles = browser.evaluate("[...document.querySelectorAll('#results .chart > svg')].map((one) => [...one.querySelectorAll('.axis-title')].map((text) => text.textContent).join(' ')).join(', ')")
     expect(titles == "seconds relMSE, seconds MAE, sigma PSNR", f"the axes of the charts are {titles}")
-    ticks = browser.evaluate("Math.min(...[...document.querySelectorAll('#results .chart > svg')].map((one) => one.querySelectorAll('.grid').length))")
-    expect(ticks >= 6, f"a chart has {ticks} grid lines")
+    ticks = browser.evaluate("Math.min(...[...document.querySelectorAll('#results .chart > svg')].map((one) => one.querySelectorAll('.tick').length))")
+    expect(ticks >= 6, f"a chart has {ticks} ticks")
     expect(browser.evaluate("document.querySelectorAll('#results table').length") >= 2, "tables are missing")
+
+
+def reads_and_hides_curves(browser):
+    """The first plot: pt from 0.5 to 97.3 seconds, and others."""
+    row = "[...document.querySelector('.readout tbody').rows].find((one) => one.cells[0].textContent.trim() === 'pt')"
+    cells = f"[...{row}.cells].slice(1).map((one) => one.textContent).join(' ')"
+    at_end = browser.evaluate(cells)
+    expect(at_end == "97.3 0.01316 0.0114 … 0.0151", f"at the end pt reads {at_end}")
+    browser.evaluate("document.querySelector('.chart').scrollIntoView()")
+    browser.move(*browser.middle(".chart > svg .series:last-child [data-point]"))
+    browser.settle()
+    expect(browser.evaluate(cells).startswith("0.500 1.6"), f"at the start pt reads {browser.evaluate(cells)}")
+    expect(browser.evaluate("document.querySelectorAll('.mark.at').length") == 5, "a point that is read is not marked")
+    browser.move(1, 1)
+    browser.settle()
+    expect(browser.evaluate(cells) == at_end, "away from the plot its end is not read")
+    # As from the keyboard.
+    browser.evaluate(f"{row}.querySelector('input').focus()")
+    browser.key(" ", "Space")
+    hidden = browser.evaluate("[...document.querySelectorAll('.off')].map((one) => getComputedStyle(one).display).join(' ')")
+    expect(hidden == "none none", f"a curve and its band without a tick display as {hidden!r}")
+    expect(browser.evaluate(cells) == "– – –", "a hidden curve is read")
+    browser.key(" ", "Space")
+    expect(browser.evaluate("document.querySelectorAll('.off').length") == 0, "a curve does not come back")
+
+
+def shows_plots_without_scripts(browser, url):
+    browser.call("Emulation.setScriptExecutionDisabled", value=True)
+    browser.call("Page.navigate", url=url)
+    browser.wait("document.readyState === 'complete' && [...document.querySelectorAll('.chart > svg')].filter((one) => one.getBoundingClientRect().width > 300).length === 3", 10)
+    browser.call("Emulation.setScriptExecutionDisabled", value=False)
 
 
 def fits_narrow_windows(browser):
@@ -132,13 +163,14 @@ def main():
         # A machine without graphics card would choose the other renderer.
         browser.open(url + "?renderer=webgl")
         expect(browser.evaluate("ajar.renderer.name") != "2D canvas", "WebGL is not used")
-        for part in (flips, zooms, shows_errors, shows_insets, shows_help, shows_texts_literally, shows_results, shows_whole_tables, fits_narrow_windows):
+        for part in (flips, zooms, shows_errors, shows_insets, shows_help, shows_texts_literally, shows_results, reads_and_hides_curves, shows_whole_tables, fits_narrow_windows):
             part(browser)
         # What a link says is what its reader sees; without WebGL too.
         browser.open(url + "?renderer=canvas#a=3&map=smape")
         wait_for_image(browser, 2)
         expect(browser.evaluate("ajar.renderer.name") == "2D canvas", "the link's renderer is not used")
         expect(browser.evaluate("ajar.state.map") == "smape", "the link's error map is not shown")
+        shows_plots_without_scripts(browser, url)
         failures.extend("the page reports: " + error for error in browser.errors)
     print("\n".join(failures))
     return 1 if failures else 0

@@ -27,9 +27,12 @@ struct LogPlot {
 /// Gives each name a style of its own, the same in all plots.
 void number_styles(std::vector<LogPlot>& plots);
 
-/// A plot with logarithmic axes as SVG. Points that are not above 0 are left out. Colours are those
-/// of Okabe and Ito (2008), which colour-blind people can distinguish; with more curves than
-/// colours dashes and marks differ as well.
+/// A plot with logarithmic axes as SVG. A note says how many points are left out because they are
+/// not finite or not above 0. Colours are those of Okabe and Ito (2008), which colour-blind people
+/// can distinguish; with more curves than colours dashes and marks differ as well.
 std::string to_svg(const LogPlot& plot);
+
+/// Sections of HTML: the plots over seconds, and the others. Without plots it is empty.
+std::string to_html(const std::vector<LogPlot>& plots);
 
 }  // namespace ajar

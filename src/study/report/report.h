@@ -54,7 +54,7 @@ struct Report {
 
 /// Bytes that a report takes on disk.
 struct ReportSize {
-  std::size_t page = 0;  ///< HTML, CSS and JavaScript
+  std::size_t page = 0;  ///< HTML with the plots, CSS and JavaScript
   std::size_t data = 0;  ///< pixels, thumbnails, numbers
 };
 

@@ -35,19 +35,6 @@ Json image_json(const ReportImage& image, std::size_t index) {
           {"metrics", metrics}};
 }
 
-Json curve_json(const LogPlot& plot, const PlotCurve& curve) {
-  Json points = Json::array();
-  for (const PlotPoint& point : curve.points) {
-    points.push_back(
-        Json::array({number(point.x), number(point.y), number(point.low), number(point.high)}));
-  }
-  return {{"name", curve.name},
-          {"metric", plot.y_label},
-          {"over", plot.x_label},
-          {"description", plot.description},
-          {"points", points}};
-}
-
 std::string ascii(const Json& json) {
   return json.dump(-1, ' ', true, nlohmann::detail::error_handler_t::replace);
 }
@@ -76,10 +63,6 @@ std::string report_script(const Report& report, const ReportSize& size) {
     json["metrics"].push_back({{"name", metric.name},
                                {"description", metric.description},
                                {"moreIsBetter", metric.more_is_better}});
-  }
-  json["curves"] = Json::array();
-  for (const LogPlot& plot : report.plots) {
-    for (const PlotCurve& curve : plot.curves) json["curves"].push_back(curve_json(plot, curve));
   }
   json["tables"] = Json::array();
   for (const ReportTable& table : report.tables) {

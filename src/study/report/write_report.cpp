@@ -89,12 +89,16 @@ void make_folder(const fs::path& path) {
   }
 }
 
-std::size_t write_page(const fs::path& folder) {
+/// The page with the plots in it, which so are seen without JavaScript, too.
+std::size_t write_page(const fs::path& folder, const std::vector<LogPlot>& plots) {
+  constexpr std::string_view kPlace = "<!-- plots -->\n";
   make_folder(folder / "page");
   std::size_t bytes = 0;
   for (const PageFile& file : page_files()) {
+    std::string content(file.content);
     const bool is_entry = file.name == "index.html";
-    bytes += write_text((is_entry ? folder : folder / "page") / file.name, file.content);
+    if (is_entry) content.replace(content.find(kPlace), kPlace.size(), to_html(plots));
+    bytes += write_text((is_entry ? folder : folder / "page") / file.name, content);
   }
   return bytes;
 }
@@ -137,7 +141,7 @@ ReportSize write_report(const Report& report, const fs::path& folder) {
   check_replaceable(folder);
   ReplacedFolder replaced(folder);
   ReportSize size;
-  size.page = write_page(replaced.path());
+  size.page = write_page(replaced.path(), report.plots);
   size.data = write_data(replaced.path() / "data", report, size.page);
   replaced.commit();
   return size;

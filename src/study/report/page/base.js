@@ -4,8 +4,7 @@ const ajar = {};
 
 /// element("td", {class: "number"}, "text", child, …): texts are never parsed as HTML.
 ajar.element = (name, attributes = {}, ...children) => {
-  const svg = ["svg", "g", "path", "line", "text", "circle", "rect", "polyline"].includes(name);
-  const node = svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+  const node = name === "svg" ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
     if (key.startsWith("on")) node.addEventListener(key.slice(2), value);
     else if (value === true) node.setAttribute(key, "");

@@ -88,6 +88,7 @@
 
     const results = ajar.makeResults();
     ajar.find("results").replaceChildren(...results);
+    ajar.startPlots();
     const available = [...(data.images.length > 0 ? ["images"] : []), ...(results.length > 0 ? ["results"] : [])];
     if (available.length === 0) ajar.find("results").append(ajar.element("p", {}, "This report is empty."));
 

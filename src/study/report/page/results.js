@@ -29,11 +29,12 @@
         ajar.element("dd", {}, `${description} ${moreIsBetter ? "More" : "Less"} is better.`),
       ]);
 
-  /// The sections that the report has content for.
+  /// The sections that the report has content for; those of plots are in the page.
   ajar.makeResults = () => {
     const { tables, notes } = ajar.data;
-    // Of several runs, tables and curves say more than the metrics of the pictures that are shown.
-    const isStudy = ajar.data.curves.length > 0;
+    // Of several runs, tables and plots say more than the metrics of the pictures that are shown.
+    const plots = [...ajar.find("results").children];
+    const isStudy = plots.length > 0;
     const sections = [];
     if (notes.length > 0) sections.push(section("Notes", ...notes.map((note) => ajar.element("p", { class: "note" }, note))));
     const metrics = [];
@@ -43,9 +44,7 @@
     }
     if (isStudy) sections.push(...tables.map(makeTable));
     else sections.push(...metrics, ...tables.map(makeTable));
-    for (const [title, figures] of [["Convergence", ajar.makeCharts(true)], ["Sweeps", ajar.makeCharts(false)]]) {
-      if (figures.length > 0) sections.push(section(title, ajar.element("div", { class: "charts" }, ...figures)));
-    }
+    sections.push(...plots);
     if (isStudy) sections.push(...metrics);
     return sections;
   };
