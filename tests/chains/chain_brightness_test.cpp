@@ -106,22 +106,31 @@ TEST(Importance, MapOfTheFullPictureServesACropOfIt) {
 struct Scatter {
   Moments means;           ///< one per seed
   Moments error_variance;  ///< squared standard errors of the same, from replicates
-};
-Scatter scatter(const Scene& scene, test::RenderOptions options, int seeds) {
-  Scatter result;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    options.seed = static_cast<std::uint64_t>(seed);
-    const Estimate mean = image_mean(replicates_of(test::render(scene, options), "indirect"));
-    result.means.add(mean.value);
-    result.error_variance.add(mean.standard_error * mean.standard_error);
+  int seeds = 0;
+
+  void render_up_to(int all, const Scene& scene, test::RenderOptions options) {
+    while (seeds < all) {
+      options.seed = static_cast<std::uint64_t>(++seeds);
+      const Estimate mean = image_mean(replicates_of(test::render(scene, options), "indirect"));
+      means.add(mean.value);
+      error_variance.add(mean.standard_error * mean.standard_error);
+    }
   }
-  return result;
-}
+  /// ½ ln F, where F is the variance of means over that of error bars. It is nearly normal
+  /// (Fisher's z).
+  double log_ratio() const {
+    const double between = means.standard_error() * means.standard_error() * seeds;
+    return 0.5 * std::log(between / error_variance.mean());
+  }
+  /// Standard deviation of `log_ratio`, with `replicates` in each error bar.
+  double deviation(int replicates) const {
+    return std::sqrt(0.5 * (1.0 / (seeds - 1.0) + 1.0 / (seeds * (replicates - 1.0))));
+  }
+};
 
 class OverSeeds : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(OverSeeds, BrightnessScattersWithinErrorBars) {
-  constexpr int kSeeds = 100;
   // Published chains know b from the bootstrap alone, to which caustics are rare.
   const bool has_rare_caustics =
       GetParam() == "mmlt" || GetParam() == "pssmlt" || GetParam() == "masked";
@@ -137,25 +146,31 @@ TEST_P(OverSeeds, BrightnessScattersWithinErrorBars) {
   if (test::has_parameter(GetParam(), "bootstrap")) {
     options.parameters["bootstrap"] = scatters ? "8000" : "4000";
   }
-  const Scatter chains = scatter(*scene, options, kSeeds);
+  test::RenderOptions reference = options;
+  reference.integrator = "bdpt";
+  reference.parameters = {};
+  reference.samples = 1536;
+  reference.seed = 1;
+  const Estimate truth = image_mean(replicates_of(test::render(*scene, reference), "indirect"));
 
-  // The variance of means over that of error bars follows F(99, 700). ½ ln F is nearly normal with
-  // variance ½ (1/99 + 1/700) (Fisher's z), so within 5 of its standard deviations the ratio is
-  // between 0.47 and 2.1: error bars wrong by half are noticed.
-  const double n = kSeeds;
-  const double between = chains.means.standard_error() * chains.means.standard_error() * n;
-  const double ratio = between / chains.error_variance.mean();
-  const double deviation = std::sqrt(0.5 * (1.0 / (n - 1.0) + 1.0 / (n * 7.0)));
-  EXPECT_LT(std::abs(0.5 * std::log(ratio)), 5.0 * deviation) << "variance ratio " << ratio;
-
-  options.integrator = "bdpt";
-  options.parameters = {};
-  options.samples = 1536;
-  options.seed = 1;
-  const Estimate truth = image_mean(replicates_of(test::render(*scene, options), "indirect"));
-  const double error = std::hypot(truth.standard_error, chains.means.standard_error());
-  EXPECT_NEAR(chains.means.mean(), truth.value, 5.0 * error);
-  EXPECT_LT(5.0 * error, 0.06 * truth.value) << "too noisy to notice what it should";
+  // Two effects are to be noticed: error bars wrong by half, and a mean wrong by 6 %.
+  const double log_effect = std::log(2.0);
+  const double mean_effect = 0.06 * truth.value;
+  Scatter chains;
+  const auto error = [&] {
+    return std::hypot(truth.standard_error, chains.means.standard_error());
+  };
+  // A first look ends the test if both effects are 2.4 standard deviations away, which each is by
+  // mistake once in 120 times.
+  chains.render_up_to(32, *scene, options);
+  const bool clear =
+      std::abs(chains.log_ratio()) + 2.4 * chains.deviation(options.replicates) < log_effect &&
+      std::abs(chains.means.mean() - truth.value) + 2.4 * error() < mean_effect;
+  if (clear) return;
+  chains.render_up_to(100, *scene, options);
+  EXPECT_LT(std::abs(chains.log_ratio()), 5.0 * chains.deviation(options.replicates));
+  EXPECT_NEAR(chains.means.mean(), truth.value, 5.0 * error());
+  EXPECT_LT(5.0 * error(), mean_effect) << "too noisy to notice what it should";
 }
 
 INSTANTIATE_TEST_SUITE_P(

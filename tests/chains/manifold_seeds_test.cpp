@@ -422,7 +422,7 @@ TEST(PointLampsThroughWater, AreInThePictures) {
     std::map<std::string, std::string> parameters;
   };
   for (const Case& c : {Case{"mlt", 16, {{"bootstrap", "20000"}}},
-                        Case{"erpt", 64, {{"bootstrap", "2000"}}}, Case{"selective", 64, {}}}) {
+                        Case{"erpt", 64, {{"bootstrap", "2000"}}}, Case{"selective", 32, {}}}) {
     const Moments means = means_of(*scene, c.integrator, c.samples, c.parameters);
     const double error = std::hypot(means.standard_error(), others.standard_error(),
                                     all.standard_error() * of_luminance);
@@ -431,7 +431,7 @@ TEST(PointLampsThroughWater, AreInThePictures) {
         << c.integrator << ": too noisy to notice what is missing";
   }
   // Its pilot is black then.
-  const Moments alone = means_of(*by_night, "selective", 64, {});
+  const Moments alone = means_of(*by_night, "selective", 32, {});
   const double error = std::hypot(alone.standard_error(), all.standard_error() * of_luminance);
   EXPECT_NEAR(alone.mean(), missing, 5.0 * error);
   EXPECT_LT(5.0 * error, 0.6 * missing) << "too noisy to notice what is missing";

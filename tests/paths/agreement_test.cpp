@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "integrator/integrator.h"
+#include "support/methods.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
@@ -53,7 +54,7 @@ const std::vector<Variant>& variants() {
   return kVariants;
 }
 
-/// Per pixel, of path tracing and of the noisiest methods.
+/// Per pixel, of path tracing.
 constexpr int kSamples = 512;
 
 test::RenderOptions options_of(const test::SmallScene& small) {
@@ -65,13 +66,22 @@ test::RenderOptions options_of(const test::SmallScene& small) {
   return options;
 }
 
-/// Chains that share nothing with ordinary Monte Carlo scatter several times as much.
-bool are_chains_alone(const std::string& integrator) {
-  return integrator == "pssmlt" || integrator == "mmlt" || integrator == "mlt" ||
-         integrator == "erpt";
+/// Samples per pixel that notice a mean that is wrong by `power`.
+struct Effort {
+  int samples;
+  double power;
+};
+Effort effort_of(const std::string& integrator, const test::SmallScene& scene) {
+  // Chains that share nothing with ordinary Monte Carlo scatter several times as much; those of one
+  // path at a time, and those that end, most.
+  if (integrator == "mmlt" || integrator == "erpt") return {384, 0.25};
+  if (integrator == "pssmlt" || integrator == "mlt") return {192, 0.2};
+  if (test::has_chains(integrator)) return {scene.samples / 2, 0.12};
+  return {integrator == "lt" ? 2 * scene.samples : scene.samples, 0.06};
 }
 
-TEST_P(Agreement, EveryIntegratorHasTheExpectationOfPathTracing) {
+// One picture of path tracing serves all.
+TEST_P(Agreement, EveryIntegratorAndSetHasTheExpectationOfPathTracing) {
   const test::SmallScene& small = GetParam();
   const auto scene = test::scene_from(small.text);
   test::RenderOptions options = options_of(small);
@@ -80,20 +90,11 @@ TEST_P(Agreement, EveryIntegratorHasTheExpectationOfPathTracing) {
   for (const IntegratorInfo& info : integrators()) {
     if (is_exception(info.name, small)) continue;
     options.integrator = info.name;
-    options.samples = are_chains_alone(info.name) ? kSamples : small.samples;
+    const Effort effort = effort_of(info.name, small);
+    options.samples = effort.samples;
     const test::Render other = test::render(*scene, options);
-    // Chains bring their error with them: replicates differ by more.
-    const double power = other.counters.mutations > 0 ? 0.25 : 0.06;
-    expect_same(replicates_of(other), truth, *other.film, power, info.name);
+    expect_same(replicates_of(other), truth, *other.film, effort.power, info.name);
   }
-}
-
-TEST_P(Agreement, EverySetHasTheExpectationOfPathTracing) {
-  const test::SmallScene& small = GetParam();
-  const auto scene = test::scene_from(small.text);
-  test::RenderOptions options = options_of(small);
-  const Replicates truth = replicates_of(test::render(*scene, options));
-  options.seed = 2;
   options.samples = small.samples;
   for (const Variant& variant : variants()) {
     if (variant.needs_light_tracing && !small.light_tracing_works) continue;

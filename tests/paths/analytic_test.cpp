@@ -245,10 +245,11 @@ class FromTheLight : public ::testing::TestWithParam<std::string> {
     }
     return result;
   }
-  /// Errors of chains are correlated: the mean is less certain.
+  /// Chains know the mean from their bootstrap, less certain; their samples are few.
   void expect_mean_of(int count, const Scene& scene, double expected) const {
-    const test::Render picture = render(scene, options(count));
-    expect_mean(picture, expected, picture.counters.mutations > 0 ? 0.12 : 0.02);
+    const bool has_chains = test::has_chains(GetParam());
+    const test::Render picture = render(scene, options(has_chains ? count / 4 : count));
+    expect_mean(picture, expected, has_chains ? 0.12 : 0.02);
   }
 };
 

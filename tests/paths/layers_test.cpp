@@ -45,6 +45,7 @@ TEST(Layers, DirectHoldsThePathsOfUpToTwoEdges) {
   for (const IntegratorInfo& info : integrators()) {
     test::RenderOptions options;
     options.integrator = info.name;
+    options.max_depth = 4;
     // Chains that change the length of their paths find out how much light is direct.
     options.samples = info.name == "mlt" ? 4096 : 256;
     const auto picture = render(*scene, options);

@@ -120,7 +120,7 @@ std::vector<Case> cases() {
   const std::string missed = "path tracing made the reference, and has hardly found what they do";
   const std::string among_bdpt = "its techniques are among those of bdpt";
   const std::vector<Tried> scenes = {
-      {"cornell-box", {}},
+      {"cornell-box", {{"ibpt", among_bdpt}}},
       {"veach-mis",
        {{"lt", "it would show 13 % of a block only"}, {"ibpt", missed}, {"bdpt", missed}}},
       {"staircase2", {{"lt", in_mirrors}, {"ibpt", among_bdpt}}, 64, 0.08},

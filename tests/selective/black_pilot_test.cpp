@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
 #include <string>
 
+#include "support/mean_over_seeds.h"
 #include "support/render.h"
 #include "support/temporary_file.h"
 
@@ -11,8 +11,6 @@
 /// average.
 namespace ajar {
 namespace {
-
-constexpr int kRenders = 150;
 
 std::string quad_of(const std::string& points) {
   return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [" + points + "]\n";
@@ -48,26 +46,21 @@ TEST(BlackPilot, LeavesThePictureRightOnAverage) {
   options.parameters = {{"techniques", "implicit"}, {"regions", rules.path()},
                         {"importance", "uniform"},  {"pilot", "discard"},
                         {"roulette", "usual"},      {"samples", "uniform"}};
-  double sum = 0.0;
-  double squares = 0.0;
+  int renders = 0;
   int black = 0;
   int with_chains = 0;
-  for (int i = 0; i < kRenders; ++i) {
-    options.seed = static_cast<std::uint64_t>(i) + 1;
+  const auto mean = [&](std::uint64_t seed) {
+    options.seed = seed;
     const test::Render render = test::render(*scene, options);
-    const double mean = render.mean() / expected;
-    sum += mean;
-    squares += mean * mean;
-    black += mean == 0.0 ? 1 : 0;
+    ++renders;
+    black += render.mean() == 0.0 ? 1 : 0;
     with_chains += render.counters.mutations > 0 ? 1 : 0;
     EXPECT_TRUE(render.integrator->findings().concerns.empty());
-  }
-  const double mean = sum / kRenders;
-  const double error = std::sqrt((squares / kRenders - mean * mean) / (kRenders - 1));
+    return render.mean() / expected;
+  };
+  test::expect_mean_over_seeds({1.0, 0.0, 0.5}, 150, mean, "after a black pilot");
   EXPECT_GT(black, 0) << "light so rare that some pictures have none";
-  EXPECT_GT(with_chains, kRenders / 2) << "the second pilot finds it";
-  EXPECT_LT(5.0 * error, 0.5) << "too noisy to notice what it is for";
-  EXPECT_LT(std::abs(mean - 1.0), 5.0 * error) << mean << " +- " << error;
+  EXPECT_GT(with_chains, renders / 2) << "the second pilot finds it";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class SelectiveConfigTest : public ::testing::Test {
 
 TEST_F(SelectiveConfigTest, ThresholdsFollowTheSplit) {
   EXPECT_EQ(config().thresholds, (std::vector{0.1, 0.3, 1.0, 3.0, 10.0, 30.0}));
-  EXPECT_EQ(config({{"split", "2"}}).thresholds, (std::vector{2.0, 6.0, 20.0}));
+  EXPECT_EQ(config({{"split", "2"}}).thresholds, (std::vector{2.0}));
 }
 
 TEST_F(SelectiveConfigTest, SmallPicturesHaveMorePilotSamplesPerPixel) {

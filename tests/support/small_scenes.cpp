@@ -182,7 +182,7 @@ std::vector<SmallScene> small_scenes() {
                           kRoom + kMetalBall)},
       {.name = "CroppedMitchell",
        .text = pbrt_scene(kPinhole, 64, 40, kRoom + kMetalBall, mitchell),
-       .samples = 512,
+       .samples = 256,
        .crop = Box2i(Vec2i(21, 9), Vec2i(52, 32))},
       {.name = "Fog",
        .text = pbrt_scene(kFog + kPinhole, 24, 24, "MediumInterface \"fog\" \"fog\"\n" + kRoom),

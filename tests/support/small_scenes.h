@@ -16,7 +16,7 @@ struct SmallScene {
   /// misses light; or if a pinhole is in fog, where its variance is infinite: events close to the
   /// pinhole are unboundedly bright.
   bool light_tracing_works = true;
-  int samples = 256;  ///< per pixel, for comparisons of pictures
+  int samples = 128;  ///< per pixel, for comparisons of pictures
   std::optional<Box2i> crop = std::nullopt;
 
   friend void PrintTo(const SmallScene& scene, std::ostream* out) { *out << scene.name; }

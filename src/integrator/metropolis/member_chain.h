@@ -35,9 +35,8 @@ struct MemberChain {
   double weight = 1.0;  ///< factor of its deposits, relative to other chains (`seed_weight`)
 
   /// Number `number`, from 1, of further chains that start where this one is, with randomness of
-  /// its own. A seed that is chosen m times starts m chains. One chain with m times the steps would
-  /// get farther, but light that seeds stand for in lots would leave its place earlier than other
-  /// light comes there, and the picture would be biased.
+  /// its own. A seed that is chosen m times starts m chains. One chain with m times the steps is biased:
+  /// its start-up transient does not average out.
   MemberChain clone(std::uint64_t number) const {
     MemberChain other{chain, {}, weight};
     other.record.by_technique.resize(record.by_technique.size());

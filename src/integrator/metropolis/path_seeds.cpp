@@ -96,8 +96,8 @@ void PathSeeds::sample(SampleSource& numbers, std::optional<double> place) {
   picker_.begin_sample(raster, key, place);
   if (traces_light_alone(group_.sampler)) sampler_.sample_light(numbers, picker_);
   sampler_.sample(numbers, raster, picker_);
-  const float lot = numbers.get({Stream::Connection, 0, Slot::Roulette});
-  if (by_manifolds_ && !picker_.has_chosen() && double{lot} < manifold_tries_) {
+  const float u = numbers.get({Stream::Connection, 0, Slot::Roulette});
+  if (by_manifolds_ && !picker_.has_chosen() && double{u} < manifold_tries_) {
     add_manifolds(key);
   }
   count_rays();

@@ -19,15 +19,15 @@ namespace ajar {
 std::vector<ParameterSpec> path_mutation_parameters(std::string_view without) {
   std::vector<ParameterSpec> specs;
   for (const PathMutationInfo& mutation : path_mutations()) {
-    specs.push_back({.name = std::string(mutation.name),
-                     .type = ParameterType::Float,
-                     .default_value = mutation.name == without ? "0" : std::string(mutation.weight),
-                     .unit = "",
-                     .help = "how often, beside other mutations that are for the path, one " +
-                             std::string(mutation.help),
-                     .choices = {},
-                     .minimum = 0.0,
-                     .maximum = 1000.0});
+    specs.push_back(
+        {.name = std::string(mutation.name),
+         .type = ParameterType::Float,
+         .default_value = mutation.name == without ? "0" : std::string(mutation.weight),
+         .unit = "",
+         .help = "relative probability of the mutation that " + std::string(mutation.help),
+         .choices = {},
+         .minimum = 0.0,
+         .maximum = 1000.0});
   }
   return specs;
 }

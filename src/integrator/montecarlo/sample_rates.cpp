@@ -168,7 +168,7 @@ void SampleRates::load_state(InputArchive& archive, std::uint64_t samples) {
     const double most = kBeyond * static_cast<double>(since_);
     if (!(cell.rate * kBeyond >= 1.0 && cell.rate <= kBeyond && cell.before >= 0.0 &&
           cell.before <= most && cell.inverse >= 0.0 && cell.inverse <= most)) {
-      throw std::runtime_error("a rate of samples that cannot be");
+      throw std::runtime_error("corrupt checkpoint: invalid rate of samples");
     }
   }
 }

@@ -26,7 +26,7 @@ PathChain chain_at(Path path, std::uint64_t seed, std::uint64_t origin) {
 /// Tests whether a chain of explicit paths can be there.
 bool is_lit(const SelectivePreparation& prepared, const PathGroup& group, int replicate,
             const Path& path) {
-  DividedPathWeight share = path_share_of(prepared, group, replicate);
+  DividedPathWeight share = path_weight_of(prepared, group, replicate);
   SplatBuffer splats;
   return std::isfinite(
       light_on(prepared.scene(), path, bounds_of(group, prepared.view), 0, splats, &share));

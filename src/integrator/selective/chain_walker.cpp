@@ -29,7 +29,7 @@ class PrimaryWalker final : public ChainWalker {
 class PathWalker final : public ChainWalker {
  public:
   PathWalker(const SelectivePreparation& prepared, const PathGroup& group, int replicate)
-      : share_(path_share_of(prepared, group, replicate)),
+      : share_(path_weight_of(prepared, group, replicate)),
         bounds_(bounds_of(group, prepared.view)),
         kernel_(make_path_kernel(prepared.scene(), bounds_, prepared.config.path_mutations,
                                  splat_layer, &share_)),
@@ -60,8 +60,8 @@ std::span<const Move> moves_of(const PathGroup& group) {
   return is_explicit(group.kind) ? path_moves() : primary_moves();
 }
 
-DividedPathWeight path_share_of(const SelectivePreparation& prepared, const PathGroup& group,
-                                int replicate) {
+DividedPathWeight path_weight_of(const SelectivePreparation& prepared, const PathGroup& group,
+                                 int replicate) {
   return {prepared.scene(), group.sampler, prepared.view.importance, prepared.part_of(replicate),
           group.paths};
 }

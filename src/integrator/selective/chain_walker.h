@@ -32,7 +32,7 @@ std::unique_ptr<ChainWalker> make_chain_walker(const SelectivePreparation& prepa
 std::span<const Move> moves_of(const PathGroup& group);
 
 /// Weight of explicit paths for the chains of one group in a replicate. `prepared` must outlive it.
-DividedPathWeight path_share_of(const SelectivePreparation& prepared, const PathGroup& group,
-                                int replicate);
+DividedPathWeight path_weight_of(const SelectivePreparation& prepared, const PathGroup& group,
+                                 int replicate);
 
 }  // namespace ajar

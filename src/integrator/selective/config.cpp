@@ -62,16 +62,8 @@ PathFamilyDefaults omc_of(const Parameters& parameters) {
 }
 
 std::vector<double> thresholds_of(std::optional<double> split) {
-  std::vector<double> thresholds;
-  if (split) {
-    for (const double times : SelectiveHeuristics::kThresholdsOverGiven) {
-      thresholds.push_back(times * *split);
-    }
-    return thresholds;
-  }
-  thresholds.assign(SelectiveHeuristics::kThresholds.begin(),
-                    SelectiveHeuristics::kThresholds.end());
-  return thresholds;
+  if (split) return {*split};
+  return {SelectiveHeuristics::kThresholds.begin(), SelectiveHeuristics::kThresholds.end()};
 }
 
 ChainView view_with_importance(const Scene& scene, const RenderSettings& settings,
@@ -144,7 +136,7 @@ std::vector<ParameterSpec> SelectiveConfig::parameters() {
                        "price, as pilot and render find it; or by throughput alone, as in ibpt and "
                        "bdpt"),
       number_parameter("split", kAuto,
-                       "least T: brightness, relative to the pixel's, of paths that ordinary Monte "
+                       "T: brightness, relative to the pixel's, of paths that ordinary Monte "
                        "Carlo and chains share evenly; auto: as a pilot finds, region by region",
                        1e6, {kAuto})};
   ParameterSpec& split = specs.back();

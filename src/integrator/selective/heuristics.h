@@ -21,9 +21,6 @@ struct SelectiveHeuristics {
   /// Unit: brightness. Range: > the last of kThresholds. Source: docs/notebook/selective.md, "How":
   /// without it, up to 10, torus-in-glass has 1/0.98 of error and FLIP.
   static constexpr double kHighestThreshold = 30.0;
-  /// Multiples of a threshold that the user gives, from which regions may choose.
-  /// Unit: factor. Range: >= 1, ascending, the first 1. Source: set by hand, no study.
-  static constexpr std::array<double, 3> kThresholdsOverGiven = {1.0, 3.0, 10.0};
 
   /// Paths that bring more are evidence of what a region has for chains (kFewestOfRegion), and
   /// count as this where a pilot measures errors: what is brighter is rare, and for chains to deal
@@ -36,7 +33,7 @@ struct SelectiveHeuristics {
   /// Source: docs/notebook/selective.md, "Whether chains pay": efficiency with 30, 100 and 1000
   /// is 5.8, 5.8 and 2.1 on torus-in-glass, 169, 173 and 176 on cornell; "Constants".
   static constexpr double kDisplayWhite = 100.0;
-  /// For how much a path counts where it is asked whether chains that stand by would be idle. Of
+  /// Clamp of a path's contribution in the test whether chains for fireflies only are needed. Of
   /// light that is found in one sample of ten thousand, a pilot sees one or two paths. They are far
   /// brighter than white, and keep such chains busy.
   /// Unit: brightness. Range: > kDisplayWhite. Source: with kDisplayWhite instead, one of eight
@@ -106,12 +103,9 @@ struct SelectiveHeuristics {
   static constexpr double kManyLightSubpaths = 4.0;
 
   // -------------------------------------------------------- pilot of roulette
-  /// Places on the film with two camera samples each are kRouletteItems times kPairsOfItem: 4096
-  /// samples.
-  /// Unit: items. Range: >= 1. Source: set by hand; only the product matters.
-  static constexpr std::uint64_t kRouletteItems = 16;
-  /// Unit: places. Range: >= 1. Source: twice as many before 70ce179; no study.
-  static constexpr std::uint64_t kPairsOfItem = 128;
+  /// Places on the film with two camera samples each.
+  /// Unit: places. Range: a multiple of 16. Source: twice as many before 70ce179; no study.
+  static constexpr std::uint64_t kRoulettePlaces = 2048;
   /// The price that the pilot itself has, which is its Λ: what it is about in most scenes, so that
   /// roulette is much as it will be.
   /// Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Which rays are traced": it
@@ -128,9 +122,9 @@ struct SelectiveHeuristics {
   static constexpr std::uint64_t kFewestOfPixel = 4;
   /// Unit: samples per pixel. Range: >= kFewestOfPixel. Source: the same; double not measured.
   static constexpr std::uint64_t kMostOfPixel = 16;
-  /// Paths that carry less are kept now and then only. What is drawn by lot is noise in the few
-  /// samples of a pilot. So fine a grain keeps about one path per sample.
-  /// Unit: brightness. Range: > 0. Source: 3ed3aa3: at 1, the lot is a third of the variance on
+  /// Threshold of Russian roulette, below which paths survive in proportion to what they carry. Its
+  /// noise counts in the few samples of a pilot; this threshold keeps about one path per sample.
+  /// Unit: brightness. Range: > 0. Source: 3ed3aa3: at 1, roulette is a third of the variance on
   /// cornell-box.
   static constexpr double kPilotRoulette = 0.25;
   /// Regions with fewer bright paths choose together with others of their material, or with all:
@@ -203,7 +197,7 @@ struct SelectiveHeuristics {
   static constexpr double kLeastShareOfChains = 0.02;
 
   // -------------------------------------------------------- effort, as the render goes on
-  /// Between this and the next one, neither half is forgotten.
+  /// Bounds on mutations, this and the next one: neither estimator starves.
   /// Unit: mutations per pixel and sample. Range: > 0. Source: 5b5c42c: four times as many cost
   /// pictures in which nothing is hard.
   static constexpr double kFewestMutations = 1.0 / 128;

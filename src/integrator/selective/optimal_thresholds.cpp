@@ -7,12 +7,10 @@
 namespace ajar {
 
 namespace {
+
 void check_argument(bool condition, const char* message) {
   if (!condition) throw std::invalid_argument(message);
 }
-}  // namespace
-
-namespace {
 
 void check_costs(const ThresholdCosts& costs) {
   check_argument(costs.omc_sample > 0.0 && costs.mutation > 0.0 && costs.correlation > 0.0 &&

@@ -15,9 +15,10 @@ namespace ajar {
 
 namespace {
 
-constexpr std::uint64_t kItems = SelectiveHeuristics::kRouletteItems;
+/// Work items, so that threads share the places.
+constexpr std::uint64_t kItems = 16;
 /// Places on the film in each, with two camera samples.
-constexpr std::uint64_t kPairs = SelectiveHeuristics::kPairsOfItem;
+constexpr std::uint64_t kPairs = SelectiveHeuristics::kRoulettePlaces / kItems;
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 
 namespace ajar {
 
-/// Paths that only light finds that is hit by chance (`is_hit_only`), for chains to start from: the
+/// Seeds of chains for paths that only unidirectional hits sample (`is_hit_only`): the
 /// vertices of a subpath from the camera that are not specular, but follow upon one that is, are
 /// joined to a light by a manifold connection. Holds the scratch memory of one thread.
 class ManifoldSeeds {

@@ -187,8 +187,8 @@ Film& RenderJob::film_before(const Decision& decision) {
 }
 
 void RenderJob::share_news() {
-  if (options_.ranks == nullptr || !integrator_.keeps_state() || !has_news_) return;
-  has_news_ = false;
+  if (options_.ranks == nullptr || !integrator_.keeps_state() || !has_changed_) return;
+  has_changed_ = false;
   const WorkSlice own = own_share();
   const std::string given =
       archived([&](OutputArchive& archive) { integrator_.export_delta(archive, own); });
@@ -275,7 +275,7 @@ bool RenderJob::run_round(PartialPass& pass) {
     }
   }
   state_.counters += counters;
-  has_news_ = true;
+  has_changed_ = true;
   return items_done_ == own_items;
 }
 

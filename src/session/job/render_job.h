@@ -149,7 +149,7 @@ class RenderJob {
   /// Film of all ranks; empty without other ranks. If the integrator keeps state, all ranks have
   /// one.
   std::optional<Film> whole_film_;
-  bool has_news_ = false;        ///< since all ranks knew the same
+  bool has_changed_ = false;     ///< state changed since ranks last synchronised
   bool speed_is_known_ = false;  ///< `state_.seconds_per_sample` is of this run
   int interrupt_level_ = 0;      ///< the highest of all ranks
 

@@ -34,8 +34,8 @@ struct RenderRequest {
 
   double show_every = kNever;  ///< seconds between `RenderEvents::picture`
   Ranks* ranks = nullptr;      ///< processes that render together; null: this process alone
-  /// Counts who wants it to stop, beside `Render::stop`, which adds to it: signals, say. Null: that
-  /// alone.
+  /// External stop counter, of a signal handler, say, to which `Render::stop` adds. Null: the
+  /// render's own.
   InterruptCount* interrupts = nullptr;
   /// Counts who wants the files of the picture written as it is; may be null.
   const InterruptCount* picture_requests = nullptr;

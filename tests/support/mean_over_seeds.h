@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace ajar::test {
+
+/// An expectation, the standard error with which it is known, and the deviation to be noticed.
+struct ExpectedMean {
+  double value;
+  double standard_error;
+  double effect;
+};
+
+/// Claims that the mean of `value(seed)` is as expected, over seeds from 1. A look at a third of
+/// `seeds` ends it if a deviation by the effect is 2.4 standard errors away, which it seems to be
+/// by mistake once in 120 times. Otherwise the mean of all of them has to be within 5 standard
+/// errors, and these less than the effect.
+void expect_mean_over_seeds(const ExpectedMean& expected, int seeds,
+                            const std::function<double(std::uint64_t seed)>& value,
+                            const std::string& name);
+
+}  // namespace ajar::test
