@@ -13,6 +13,7 @@ std::string SourceLocation::to_string() const {
   std::string text = *file;
   if (line > 0) text.append(":").append(std::to_string(line));
   if (line > 0 && column > 0) text.append(":").append(std::to_string(column));
+  if (part) text += *part;
   return text;
 }
 

@@ -14,7 +14,9 @@ struct SourceLocation {
   std::shared_ptr<const std::string> file;
   int line = 0;
   int column = 0;
-  /// "file:line:column", without the parts that are unknown.
+  /// Part of the file there, as it is written after the place: "#/materials/3".
+  std::shared_ptr<const std::string> part = nullptr;
+  /// "file:line:column" and the part, without what is unknown.
   std::string to_string() const;
 };
 /// "place: message", or the message alone if the place is unknown.

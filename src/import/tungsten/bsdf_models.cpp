@@ -76,8 +76,7 @@ desc::Node fiber(const BsdfInputs& in) {
   in.warn(kFiber, "bsdfs of fibers are not supported: a diffuse one stands in");
   in.object.accept({"scale_angle", "melanin_ratio", "melanin_concentration", "override_sigma_a",
                     "sigma_a", "roughness", "material", "eta", "k"});
-  return diffuse(in.object.find({"albedo", "color"}) != nullptr ? in.albedo()
-                                                                : desc::Value(Vec3(0.5F)));
+  return diffuse(in.object.has({"albedo", "color"}) ? in.albedo() : desc::Value(Vec3(0.5F)));
 }
 
 // ---------------------------------------------------------------- metals
@@ -238,10 +237,10 @@ std::string distribution_of(const BsdfInputs& in) {
 }
 
 std::optional<desc::MaterialId> BsdfInputs::part(std::string_view name) const {
-  const LocatedJson* json = object.find(name);
-  if (json == nullptr) return std::nullopt;
+  const auto json = object.find(name);
+  if (!json) return std::nullopt;
   const Surface surface = bsdfs.resolve(*json);
-  if (surface.inside != nullptr || surface.outside != nullptr) {
+  if (surface.inside || surface.outside) {
     context.warnings.add(kPartMedia, json->where(),
                          "the media of a part of a bsdf are ignored: those of the whole count, "
                          "and those of the primitive");

@@ -14,7 +14,7 @@ struct BsdfInputs {
   TextureReader& textures;
   BsdfTable& bsdfs;
 
-  const SourceLocation& where() const { return object.where(); }
+  SourceLocation where() const { return object.where(); }
   /// "albedo", a colour or a texture.
   desc::Value albedo() const { return textures.color(object, {"albedo", "color"}, Vec3(1.F)); }
   desc::Value number(std::string_view name, float fallback) const {
@@ -22,8 +22,8 @@ struct BsdfInputs {
   }
   /// "alpha", a number or a texture.
   desc::Value opacity() const {
-    const LocatedJson* json = object.find("alpha");
-    return json != nullptr ? textures.opacity(*json) : 1.F;
+    const auto json = object.find("alpha");
+    return json ? textures.opacity(*json) : 1.F;
   }
   /// The material of the bsdf that a member is or names, if there is one. As in Tungsten, only the
   /// whole has bumps and media: bumps of parts are left out, and media are, with a warning.

@@ -69,9 +69,9 @@ void BsdfTable::define(const LocatedJson& list) {
   if (!list.is(Kind::Array)) throw SceneError(list.where(), "\"bsdfs\" must be an array");
   std::vector<Entry*> entries;
   for (const LocatedJson& json : list.items()) {
-    const LocatedJson* name = json.find("name");
-    if (name == nullptr) continue;  // nothing can refer to it
-    const auto [place, is_new] = named_.try_emplace(text_of(*name), Entry{&json});
+    const auto name = json.is(Kind::Object) ? json.find("name") : std::nullopt;
+    if (!name) continue;  // nothing can refer to it
+    const auto [place, is_new] = named_.try_emplace(name->text(), Entry{json});
     if (is_new) {
       entries.push_back(&place->second);
     } else {
@@ -88,13 +88,13 @@ Surface BsdfTable::read_named(Entry& entry) {
   if (entry.is_done) return entry.surface;
   if (entry.is_open || depth_ == kDeepestReference) {
     context_.warnings.add(
-        kLoop, entry.json->where(),
+        kLoop, entry.json.where(),
         "this bsdf refers to itself, or to too many others in a row: grey stands in");
-    return grey(entry.json->where());
+    return grey(entry.json.where());
   }
   entry.is_open = true;
   ++depth_;
-  entry.surface = read(*entry.json);
+  entry.surface = read(entry.json);
   --depth_;
   entry.is_open = false;
   entry.is_done = true;
@@ -102,7 +102,7 @@ Surface BsdfTable::read_named(Entry& entry) {
 }
 
 Surface BsdfTable::resolve(const LocatedJson& json) {
-  if (!json.is(Kind::String)) return read(json);
+  if (!json.is(Kind::Text)) return read(json);
   const auto found = named_.find(json.text());
   if (found != named_.end()) return read_named(found->second);
   std::vector<std::string> names;
@@ -133,7 +133,7 @@ Surface BsdfTable::read(const LocatedJson& json) {
     object.accept({"albedo", "color"});
   } else if (std::optional<desc::Node> node = make_bsdf(*type, in)) {
     surface.material = add(json.where(), std::move(*node));
-    if (object.find("alpha") != nullptr) surface = with_opacity(in, surface, in.opacity());
+    if (object.has("alpha")) surface = with_opacity(in, surface, in.opacity());
   } else {
     context_.warnings.add(
         kUnknownType, json.where(),
@@ -149,8 +149,8 @@ Surface BsdfTable::read(const LocatedJson& json) {
     material.bump = texture->id;
     in.warn(kBump, "the height of \"bump\" depends on the number of its pixels: taken as it is");
   }
-  if (const LocatedJson* inside = object.find("int_medium")) surface.inside = inside;
-  if (const LocatedJson* outside = object.find("ext_medium")) surface.outside = outside;
+  if (const auto inside = object.find("int_medium")) surface.inside = inside;
+  if (const auto outside = object.find("ext_medium")) surface.outside = outside;
   object.report_unknown();
   return surface;
 }

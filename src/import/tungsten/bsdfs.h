@@ -10,9 +10,9 @@ namespace ajar::tungsten {
 struct Surface {
   desc::MaterialId material = desc::kNone;
   desc::TextureId alpha = desc::kNone;  ///< the surface is cut away where this is 0
-  /// Media of older files, which have them in bsdfs; null if there are none.
-  const LocatedJson* inside = nullptr;
-  const LocatedJson* outside = nullptr;
+  /// Media of older files, which have them in bsdfs.
+  std::optional<LocatedJson> inside = std::nullopt;
+  std::optional<LocatedJson> outside = std::nullopt;
 };
 
 /// The bsdfs of a scene: those of the list "bsdfs", which others refer to by name, and those that
@@ -21,7 +21,7 @@ class BsdfTable {
  public:
   BsdfTable(Context& context, TextureReader& textures) : context_(context), textures_(textures) {}
 
-  /// Reads the list "bsdfs", which must outlive the table. The first of a name counts, with a
+  /// Reads the list "bsdfs". The first of a name counts, with a
   /// warning for others.
   void define(const LocatedJson& list);
 
@@ -39,7 +39,7 @@ class BsdfTable {
 
  private:
   struct Entry {
-    const LocatedJson* json;
+    LocatedJson json;
     bool is_open = false;  ///< being read: cycles of references are refused
     bool is_done = false;
     Surface surface{};

@@ -33,7 +33,7 @@ TEST(Bsdfs, DiffuseOnes) {
   EXPECT_EQ(material_of(leaf).color("diffuse"), Vec3(0.8F));
   const desc::SceneDesc other = scene_with_warning(
       "{'name': 'm', 'type': 'diffuse_transmission', 'transmittance': 0.25}",
-      "test.json:2:11: Tungsten does not read \"transmittance\" and transmits half");
+      "test.json:2:11#/bsdfs/0: Tungsten does not read \"transmittance\" and transmits half");
   for (const desc::SceneDesc* scene : {&leaf, &other}) {
     EXPECT_EQ(material_of(*scene).color("reflectance"), Vec3(0.5F));
     EXPECT_EQ(material_of(*scene).color("transmittance"), Vec3(0.5F));
@@ -53,7 +53,7 @@ TEST(Bsdfs, MetalsGoByNameOrByNumbers) {
   EXPECT_EQ(material_of(given).color("k"), Vec3(4.F));
   EXPECT_EQ(material_of(given).number("roughness"), 0.F);
   scene_with_warning("{'name': 'm', 'type': 'conductor', 'material': 'Aux'}",
-                     "test.json:2:11: unknown metal \"Aux\"; did you mean \"Au\"?");
+                     "test.json:2:11#/bsdfs/0: unknown metal \"Aux\"; did you mean \"Au\"?");
   scene_with_warning("{'name': 'm', 'type': 'rough_conductor', 'distribution': 'phong'}",
                      "\"beckmann\", which is near, stands in");
 }
@@ -82,7 +82,7 @@ TEST(Bsdfs, Glass) {
   EXPECT_TRUE(material_of(sheet).flag("along_normal"));
   EXPECT_TRUE(material_of(sheet).flag("polarised"));
   scene_with_warning("{'name': 'm', 'type': 'thinsheet', 'sigma_a': 2, 'thickness': 'a.png'}",
-                     "test.json:2:11: a texture of \"thickness\" is not supported");
+                     "test.json:2:11#/bsdfs/0: a texture of \"thickness\" is not supported");
   // Without absorption the thickness does not matter.
   scene_with_bsdf("'type': 'thinsheet', 'thickness': 'a.png'");
 }
@@ -279,7 +279,7 @@ TEST(Bsdfs, StandInsForTheRest) {
 
 TEST(Bsdfs, NamesThatLeadNowhereAreWarnings) {
   scene_with_warning("{'name': 'n', 'type': 'mirror'}",
-                     "test.json:3:43: unknown bsdf \"m\"; did you mean \"n\"?");
+                     "test.json:3:43#/primitives/0/bsdf: unknown bsdf \"m\"; did you mean \"n\"?");
   scene_with_warning("{'name': 'm', 'type': 'mirror'}, {'name': 'm', 'type': 'null'}",
                      "another bsdf \"m\" before, which counts");
   scene_with_warning("{'name': 'm', 'type': 'mixed', 'bsdf0': 'm', 'bsdf1': 'm'}",

@@ -30,9 +30,9 @@ const std::vector<std::string> kFilters = {
 Vec2i resolution_of(const LocatedJson& json) {
   Vec2i resolution;
   if (json.is(LocatedJson::Kind::Number)) {
-    resolution = Vec2i(integer_of(json));
-  } else if (json.is(LocatedJson::Kind::Array) && json.items().size() == 2) {
-    resolution = Vec2i(integer_of(json.items()[0]), integer_of(json.items()[1]));
+    resolution = Vec2i(json.as<int>());
+  } else if (json.is(LocatedJson::Kind::Array) && json.size() == 2) {
+    resolution = Vec2i(json[0].as<int>(), json[1].as<int>());
   } else {
     throw SceneError(json.where(), "the resolution must be a number or an array of two");
   }
@@ -48,7 +48,7 @@ Vec2i resolution_of(const LocatedJson& json) {
 
 /// Filters and their widths: Tungsten, src/core/cameras/ReconstructionFilter.
 desc::Filter filter_of(const Context& context, const LocatedJson& json) {
-  const std::string& name = text_of(json);
+  const std::string& name = json.text();
   desc::Filter filter;
   filter.where = json.where();
   filter.radius = Vec2(2.F, 2.F);
@@ -116,12 +116,10 @@ desc::PerspectiveCamera thin_lens(const Context& context, const ObjectReader& ob
   if (!(node.focal_distance > 0.F)) {
     throw SceneError(object.where(), "the distance of focus must be positive");
   }
-  const LocatedJson* aperture = object.find("aperture");
-  const LocatedJson* type = aperture == nullptr ? nullptr : aperture->find("type");
-  const bool is_round =
-      type != nullptr && type->is(LocatedJson::Kind::String) && type->text() == "disk";
-  if (aperture != nullptr) check_texture(context, *aperture);
-  if ((aperture != nullptr && !is_round) || object.number("cateye").value_or(0.F) > 0.F) {
+  const auto aperture = object.find("aperture");
+  const bool is_round = aperture && type_of(*aperture) == "disk";
+  if (aperture) check_texture(context, *aperture);
+  if ((aperture && !is_round) || object.number("cateye").value_or(0.F) > 0.F) {
     context.warnings.add(kAperture, object.where(),
                          "only round lenses are supported, without \"cateye\": one stands in");
   }
@@ -138,18 +136,18 @@ void read_camera(Context& context, const LocatedJson& json, MediumTable& media,
   camera.where = film.where = json.where();
 
   // Older files have the place in the camera itself.
-  const Mat4 placed = object.find("transform") == nullptr ? transform_from_members(object)
-                                                          : transform_of(context, object);
+  const Mat4 placed =
+      !object.has("transform") ? transform_from_members(object) : transform_of(context, object);
   const Mat4 frame = without_scale(placed, true);
   if (!is_invertible(frame)) {
     throw SceneError(json.where(), "the transform of the camera cannot be inverted");
   }
-  const LocatedJson* resolution = object.find("resolution");
-  film.resolution = resolution != nullptr ? resolution_of(*resolution) : Vec2i(1000, 563);
-  const LocatedJson* filter = object.find("reconstruction_filter");
+  const auto resolution = object.find("resolution");
+  film.resolution = resolution ? resolution_of(*resolution) : Vec2i(1000, 563);
+  const auto filter = object.find("reconstruction_filter");
   film.filter.radius = Vec2(1.F, 1.F);
   film.filter.node = desc::TriangleFilter{};
-  if (filter != nullptr) film.filter = filter_of(context, *filter);
+  if (filter) film.filter = filter_of(context, *filter);
   film.filename = object.text("file").value_or(film.filename);
 
   const std::string type = object.text("type").value_or("pinhole");
@@ -180,7 +178,7 @@ void read_camera(Context& context, const LocatedJson& json, MediumTable& media,
     camera.to_world =
         from_axes(-axis_of(frame, 0), axis_of(frame, 1), axis_of(frame, 2), origin_of(frame));
   }
-  if (const LocatedJson* medium = object.find("medium")) camera.medium = media.resolve(*medium);
+  if (const auto medium = object.find("medium")) camera.medium = media.resolve(*medium);
   if (object.text("tonemap").value_or("linear") != "linear") {
     context.warnings.add(kTonemap, json.where(),
                          "\"tonemap\" is not used: pictures have the tone map of their format");

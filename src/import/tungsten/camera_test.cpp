@@ -80,14 +80,15 @@ TEST(TungstenCamera, UnsupportedOptionsAreWarnings) {
   EXPECT_TRUE(contains(warnings_of(with("'type': 'pinehole'")), "did you mean \"pinhole\"?"));
   EXPECT_TRUE(contains(warnings_of(with("'type': 'cubemap'")), "\"cubemap\" is not supported"));
   EXPECT_TRUE(contains(warnings_of(with("'reconstruction_filter': 'tend'")),
-                       "test.json:1:38: unknown filter \"tend\"; did you mean \"tent\"?"));
+                       "test.json:1:38#/camera/reconstruction_filter: unknown filter \"tend\"; did "
+                       "you mean \"tent\"?"));
   EXPECT_TRUE(contains(warnings_of(with("'type': 'thinlens', 'cateye': 1")), "round lenses"));
   EXPECT_TRUE(contains(warnings_of(with("'type': 'thinlens', 'focus_pivot': 'x'")),
                        "no primitive \"x\" to focus on"));
   EXPECT_TRUE(contains(warnings_of(with("'tonemap': 'filmic'")), "\"tonemap\" is not used"));
   EXPECT_TRUE(contains(error_of(with("'fov': 180")), "between 0 and 180"));
   EXPECT_TRUE(contains(error_of(with("'resolution': [0, 5]")), "must be 1 to 65536, not 0"));
-  EXPECT_TRUE(contains(error_of(with("'resolution': 1.5")), "expected a whole number"));
+  EXPECT_TRUE(contains(error_of(with("'resolution': 1.5")), "must be a whole number"));
 }
 
 }  // namespace

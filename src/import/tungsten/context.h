@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/located_json.h"
 #include "core/warnings.h"
 #include "import/common/file_access.h"
-#include "import/common/located_json.h"
 #include "scene/desc/scene_desc.h"
 
 namespace ajar::tungsten {
@@ -19,6 +19,13 @@ struct Context {
 
 /// A text of the file, shortened and fit for a message.
 std::string shown(std::string_view text);
+
+/// The text of "type", if `json` is an object with one; else empty.
+inline std::string type_of(const LocatedJson& json) {
+  const bool is_object = json.is(LocatedJson::Kind::Object);
+  const auto type = is_object ? json.find("type") : std::nullopt;
+  return type && type->is(LocatedJson::Kind::Text) ? type->text() : "";
+}
 
 /// Bsdfs, media and textures that refer to others more than this many times in a row are refused.
 inline constexpr int kDeepestReference = 64;

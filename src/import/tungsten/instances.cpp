@@ -96,7 +96,7 @@ std::optional<std::vector<Placed>> read_instance_file(std::string_view bytes) {
 }
 
 std::vector<Placed> read_placed(const Context& context, const LocatedJson& json) {
-  if (json.is(LocatedJson::Kind::String)) {
+  if (json.is(LocatedJson::Kind::Text)) {
     std::string reason = "it ends too early";
     try {
       const FileBytes bytes = context.files.load(context.files.resolve(json.text(), json.where()));

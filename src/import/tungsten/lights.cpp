@@ -44,11 +44,11 @@ struct Source {
 };
 
 std::optional<Vec3> Source::strength(float per_power, std::optional<Bitmap>* image) const {
-  const LocatedJson* power = object.find("power");
-  const LocatedJson* emission = object.find("emission");
-  const LocatedJson* json = power != nullptr ? power : emission;
-  if (json == nullptr) return std::nullopt;
-  const float factor = power != nullptr ? per_power : 1.F;
+  const auto power = object.find("power");
+  const auto emission = object.find("emission");
+  const auto json = power ? power : emission;
+  if (!json) return std::nullopt;
+  const float factor = power ? per_power : 1.F;
   if (image != nullptr) {
     if ((*image = textures.bitmap(*json))) {
       if ((*image)->clamp) {

@@ -62,8 +62,8 @@ Vec3 coefficient(const ObjectReader& object, std::string_view name, float densit
 /// Checks the grid of a voxel medium, for messages: it is not read, as OpenVDB's files need
 /// OpenVDB.
 std::string grid_of(const ObjectReader& medium) {
-  const LocatedJson* json = medium.find("grid");
-  if (json == nullptr) return "a grid";
+  const auto json = medium.find("grid");
+  if (!json) return "a grid";
   const ObjectReader grid(medium.context(), *json, "a grid");
   const std::string file = grid.text("file").value_or("");
   grid.accept({"type", "grid_name", "density_name", "density_scale", "emission_name",
@@ -112,18 +112,18 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
   medium.where = json.where();
   medium.sigma_a = coefficient(object, "sigma_a", density);
   medium.sigma_s = coefficient(object, "sigma_s", density);
-  if (const LocatedJson* phase = object.find({"phase_function", "phase"})) {
+  if (const auto phase = object.find({"phase_function", "phase"})) {
     medium.g = phase_of(context_, *phase);
   }
-  if (const LocatedJson* transmittance = object.find("transmittance")) {
+  if (const auto transmittance = object.find("transmittance")) {
     check_transmittance(context_, *transmittance);
   }
   constexpr int kUsualMaxBounces = 1024;
   const int bounces = object.integer("max_bounces").value_or(kUsualMaxBounces);
   const int longest = context_.scene.hints.max_depth.value_or(kUsualPathBounces);
   if (bounces < longest && medium.sigma_s != Vec3(0.F)) {
-    const LocatedJson* limit = object.find("max_bounces");
-    context_.warnings.add(kShortPaths, limit != nullptr ? limit->where() : json.where(),
+    const auto limit = object.find("max_bounces");
+    context_.warnings.add(kShortPaths, limit ? limit->where() : json.where(),
                           "paths that scatter more than " + std::to_string(bounces) +
                               " times in this medium go on here, up to the " +
                               std::to_string(longest) + " of the integrator",
@@ -138,8 +138,8 @@ void MediumTable::define(const LocatedJson& list) {
   if (!list.is(Kind::Array)) throw SceneError(list.where(), "\"media\" must be an array");
   for (const LocatedJson& json : list.items()) {
     const desc::MediumId id = read(json);
-    const LocatedJson* name = json.find("name");
-    if (name == nullptr || named_.try_emplace(text_of(*name), id).second) continue;
+    const auto name = json.find("name");
+    if (!name || named_.try_emplace(name->text(), id).second) continue;
     context_.warnings.add(
         kSameMediumName, name->where(),
         "there is another medium \"" + shown(name->text()) + "\" before, which counts",
@@ -148,7 +148,7 @@ void MediumTable::define(const LocatedJson& list) {
 }
 
 desc::MediumId MediumTable::resolve(const LocatedJson& json) {
-  if (!json.is(Kind::String)) return read(json);
+  if (!json.is(Kind::Text)) return read(json);
   if (json.text().empty()) return desc::kNone;
   const auto found = named_.find(json.text());
   if (found != named_.end()) return found->second;

@@ -81,7 +81,7 @@ std::vector<MeshPart> split(Wo3Mesh source, int count) {
 
 std::vector<MeshPart> MeshFiles::read(const LocatedJson& name, const std::string& path,
                                       const MeshTreatment& treatment, int count) const {
-  const std::string subject = shown(text_of(name));
+  const std::string subject = shown(name.text());
   const auto unreadable = [&](const std::string& reason) {
     context_.warnings.add(kUnreadableMesh, name.where(), "cannot use this mesh: " + reason,
                           subject);
@@ -116,7 +116,7 @@ const std::vector<MeshPart>& MeshFiles::load(const LocatedJson& name,
                                              const MeshTreatment& treatment, int count) {
   std::string path;
   try {
-    path = context_.files.resolve(text_of(name), name.where());
+    path = context_.files.resolve(name.text(), name.where());
   } catch (const IoError& error) {
     throw SceneError(name.where(), error.what());
   }

@@ -62,36 +62,37 @@ const std::vector<Dialect>& dialects() {
   return kAll;
 }
 
-const LocatedJson* find_path(const LocatedJson& root, std::string_view path) {
+std::optional<LocatedJson> find_path(const LocatedJson& root, std::string_view path) {
+  if (!root.is(Kind::Object)) return std::nullopt;
   const std::size_t dot = path.find('.');
-  const LocatedJson* found = root.find(path.substr(0, dot));
-  if (found == nullptr || dot == std::string_view::npos) return found;
+  auto found = root.find(path.substr(0, dot));
+  if (!found || dot == std::string_view::npos) return found;
   return find_path(*found, path.substr(dot + 1));
 }
 
 std::optional<std::string_view> program_of(const LocatedJson& root) {
   for (const Dialect& dialect : dialects()) {
     const bool fits = std::all_of(dialect.members.begin(), dialect.members.end(),
-                                  [&](auto path) { return find_path(root, path) != nullptr; });
+                                  [&](auto path) { return find_path(root, path).has_value(); });
     if (fits) return dialect.program;
   }
   return std::nullopt;
 }
 
-/// The maker that a file names; null if it names none.
-const LocatedJson* maker_in(const LocatedJson& root) {
+/// The maker that a file names.
+std::optional<LocatedJson> maker_in(const LocatedJson& root) {
   for (const char* path : {"generator", "asset.generator", "metadata.generator", "exporter",
                            "metadata.exporter", "producer.name", "software", "tool"}) {
-    const LocatedJson* maker = find_path(root, path);
-    if (maker != nullptr && maker->is(Kind::String)) return maker;
+    auto maker = find_path(root, path);
+    if (maker && maker->is(Kind::Text)) return maker;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 template <typename Names>
 bool has_any(const LocatedJson& object, const Names& names) {
-  return std::any_of(std::begin(names), std::end(names),
-                     [&](const auto& name) { return object.find(name) != nullptr; });
+  return object.is(Kind::Object) && std::any_of(std::begin(names), std::end(names),
+                                                [&](const auto& name) { return object.has(name); });
 }
 
 constexpr std::array<std::string_view, 6> kMembers = {"primitives", "bsdfs",      "camera",
@@ -116,10 +117,10 @@ bool is_primitive(const LocatedJson& json) {
       "transform", "bsdf",       "emission",   "power",       "file",
       "masters",   "int_medium", "ext_medium", "temperature", "cone_angle",
       "turbidity", "cap_angle",  "curve_type", "bump",        "smooth"};
-  const LocatedJson* type = json.find("type");
-  if (type == nullptr || !type->is(Kind::String)) return false;
-  const bool is_known = is_primitive_type(type->text());
-  const std::size_t plain = json.find("name") != nullptr ? 2 : 1;
+  const std::string type = type_of(json);
+  if (type.empty()) return false;
+  const bool is_known = is_primitive_type(type);
+  const std::size_t plain = json.has("name") ? 2 : 1;
   return has_any(json, kWords) || (is_known && json.members().size() == plain);
 }
 
@@ -131,18 +132,19 @@ std::string complaint(const LocatedJson& root) {
   if (!has_any(root, kParts)) {
     return "it has none of \"primitives\", \"bsdfs\" and \"camera\"";
   }
-  if (root.find("bsdfs") != nullptr) return {};
+  if (root.has("bsdfs")) return {};
   if (const std::string names = foreign_members(root); !names.empty()) {
     return "it has no \"bsdfs\", but " + names;
   }
-  const LocatedJson* primitives = root.find("primitives");
-  const LocatedJson* camera = root.find("camera");
-  if (primitives != nullptr && !primitives->items().empty() &&
-      std::none_of(primitives->items().begin(), primitives->items().end(), is_primitive)) {
+  const auto primitives = root.find("primitives");
+  const auto camera = root.find("camera");
+  const bool has_list = primitives && primitives->is(Kind::Array);
+  const auto list = has_list ? primitives->items() : std::vector<LocatedJson>();
+  if (!list.empty() && std::none_of(list.begin(), list.end(), is_primitive)) {
     return "none of its \"primitives\" has what those of Tungsten have, as \"bsdf\" and "
            "\"transform\"";
   }
-  if (primitives == nullptr && camera != nullptr && !camera->members().empty() &&
+  if (!primitives && camera && camera->is(Kind::Object) && !camera->members().empty() &&
       !has_any(*camera, kOfCameras)) {
     return "its \"camera\" has nothing that Tungsten's has, as \"transform\" and \"fov\"";
   }
@@ -158,7 +160,7 @@ void require_scene(const LocatedJson& root) {
   if (const auto program = program_of(root)) {
     message += "; it looks like one of " + std::string(*program);
   }
-  if (const LocatedJson* maker = maker_in(root)) {
+  if (const auto maker = maker_in(root)) {
     message += "; it says that it was made by \"" + shown(maker->text()) + "\"";
   }
   throw SceneError(root.where(), message);

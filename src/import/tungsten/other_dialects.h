@@ -1,5 +1,5 @@
 #pragma once
-#include "import/common/located_json.h"
+#include "core/located_json.h"
 
 namespace ajar::tungsten {
 

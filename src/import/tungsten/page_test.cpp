@@ -45,10 +45,11 @@ std::string with_camera(const std::string& members) {
 TEST(TungstenPage, DescribesPrimitives) {
   expect_as_the_page_says(
       {{with_primitive("'type': 'disk', 'cone_angle': 30"),
-        ":1:31: \"cone_angle\" is not supported: the disk shines in all directions"},
+        ":1:31#/primitives/0: \"cone_angle\" is not supported: the disk shines in all directions"},
        {with_primitive("'type': 'disk', 'cone_angle': 90"), ""},
        {with_primitive("'type': 'mesh', 'file': 'm.obj', 'backface_culling': true"),
-        ":1:31: \"backface_culling\" is not supported: the mesh is seen from behind, too"},
+        ":1:31#/primitives/0: \"backface_culling\" is not supported: the mesh is seen from behind, "
+        "too"},
        {with_primitive("'type': 'mesh', 'file': 'm.obj', 'backface_culling': false"), ""},
        {with_primitive("'type': 'mesh', 'file': 'm.obj', 'smooth': true, "
                        "'recompute_normals': true"),
@@ -59,7 +60,8 @@ TEST(TungstenPage, DescribesPrimitives) {
         "what is copied cannot be a light"},
        {with_primitive("'type': 'instances', 'masters': [{'type': 'cube'}], 'emission': 2, "
                        "'instances': [{'id': 0}]"),
-        ":1:96: instances cannot shine: their own emission is left out, and no even light"},
+        ":1:96#/primitives/0/emission: instances cannot shine: their own emission is left out, and "
+        "no even light"},
        {with_primitive("'type': 'instances', 'masters': [{'type': 'cube'}], 'emission': 0, "
                        "'instances': [{'id': 0}]"),
         ""},
@@ -70,9 +72,10 @@ TEST(TungstenPage, DescribesPrimitives) {
 
 TEST(TungstenPage, DescribesSkies) {
   const std::string sky = "'type': 'skydome', ";
-  EXPECT_TRUE(contains(warnings_of(scene_text("", "{" + sky + "'temperature': 4000}")),
-                       "test.json:3:16: \"temperature\" is not supported: the sky is that of our "
-                       "sun"));
+  EXPECT_TRUE(contains(
+      warnings_of(scene_text("", "{" + sky + "'temperature': 4000}")),
+      "test.json:3:16#/primitives/0: \"temperature\" is not supported: the sky is that of our "
+      "sun"));
   for (const char* of_no_effect : {"'temperature': 5777", "'gamma_scale': 3", "'sample': false"}) {
     Warnings warnings;
     import_with(scene_text("", "{" + sky + of_no_effect + "}, {'type': 'quad'}"), warnings);

@@ -60,11 +60,9 @@ bool is_bright(const LocatedJson& json) {
     const Vec3 color = vector_of(json);
     return std::max({color.x, color.y, color.z}) > 0.F;
   }
-  const LocatedJson* type = json.find("type");
-  const bool is_constant = type != nullptr && type->is(Kind::String) && type->text() == "constant";
-  if (!is_constant) return true;
-  const LocatedJson* value = json.find("value");
-  return value != nullptr && is_bright(*value);
+  if (type_of(json) != "constant") return true;
+  const auto value = json.find("value");
+  return value && is_bright(*value);
 }
 
 /// True if a material, or a part of it, has a texture. Visits each once: mixes may name the same
@@ -103,8 +101,8 @@ std::vector<Part> PrimitiveReader::mesh_parts(const ObjectReader& object, const 
         kCulling, object.where(),
         "\"backface_culling\" is not supported: the mesh is seen from behind, too");
   }
-  const LocatedJson* file = object.find({"file", "path"});
-  if (file == nullptr || !file->is(Kind::String) || file->text().empty()) {
+  const auto file = object.find({"file", "path"});
+  if (!file || !file->is(Kind::Text) || file->text().empty()) {
     context_.warnings.add(kNoMeshFile, object.where(), "this mesh names no \"file\": left out");
     return {};
   }
@@ -131,28 +129,27 @@ std::vector<Part> PrimitiveReader::curve_parts(const ObjectReader& object, const
     context_.warnings.add(kSubsample, object.where(),
                           "\"subsample\" is not supported: all curves are there");
   }
-  if (const LocatedJson* light = object.find({"power", "emission"});
-      light != nullptr && is_bright(*light)) {
+  if (const auto light = object.find({"power", "emission"}); light && is_bright(*light)) {
     context_.warnings.add(kUnlitCurves, light->where(),
                           "curves cannot shine: their emission is left out, and no even light "
                           "stands in for it");
   }
-  if (object.find("bsdf") == nullptr) {
+  if (!object.has("bsdf")) {
     context_.warnings.add(kHair, object.where(),
                           "curves without a \"bsdf\" are hair: a white diffuse stands in");
   }
   const StrandTreatment treatment{.radius = object.number("curve_thickness"),
                                   .tapers = object.flag("curve_taper").value_or(false)};
-  const LocatedJson* file = object.find({"file", "path"});
+  const auto file = object.find({"file", "path"});
   const auto leave_out = [&](const std::string& reason) {
     context_.warnings.add(kNoCurves, object.where(), "cannot use these curves: " + reason,
-                          file == nullptr ? "" : shown(text_of(*file)));
+                          !file ? "" : shown(file->text()));
     return std::vector<Part>();
   };
-  if (file == nullptr) return leave_out("they name no \"file\"");
+  if (!file) return leave_out("they name no \"file\"");
   desc::Curves curves;
   try {
-    const std::string path = context_.files.resolve(text_of(*file), file->where());
+    const std::string path = context_.files.resolve(file->text(), file->where());
     curves = curves_of(read_strands(context_.files.load(path).view(), path), treatment);
   } catch (const Error& error) {
     return leave_out(error.what());
@@ -203,8 +200,8 @@ std::vector<Part> PrimitiveReader::parts_of(const ObjectReader& object, const st
 // ---------------------------------------------------------------- what surrounds it
 
 std::vector<Surface> PrimitiveReader::surfaces_of(const ObjectReader& object) {
-  const LocatedJson* json = object.find("bsdf");
-  if (json == nullptr) return {bsdfs_.white()};
+  const auto json = object.find("bsdf");
+  if (!json) return {bsdfs_.white()};
   if (!json->is(Kind::Array)) return {bsdfs_.resolve(*json)};
   std::vector<Surface> surfaces;
   for (const LocatedJson& item : json->items()) surfaces.push_back(bsdfs_.resolve(item));
@@ -214,17 +211,17 @@ std::vector<Surface> PrimitiveReader::surfaces_of(const ObjectReader& object) {
 
 std::optional<desc::Emission> PrimitiveReader::emission_of(const ObjectReader& object,
                                                            double area) {
-  const LocatedJson* emission = object.find("emission");
-  const LocatedJson* power = object.find("power");
-  const LocatedJson* json = power != nullptr ? power : emission;
-  if (json == nullptr) return std::nullopt;
+  const auto emission = object.find("emission");
+  const auto power = object.find("power");
+  const auto json = power ? power : emission;
+  if (!json) return std::nullopt;
   desc::Value radiance = textures_.color(*json);
   if (const Vec3* constant = std::get_if<Vec3>(&radiance)) {
     radiance = not_negative(context_, json->where(), *constant);
   }
   if (is_zero(radiance)) return std::nullopt;
   // A diffuse emitter of area A and radiance L has the power πAL.
-  const double scale = power != nullptr ? 1.0 / (static_cast<double>(kPi) * area) : 1.0;
+  const double scale = power ? 1.0 / (static_cast<double>(kPi) * area) : 1.0;
   const Vec3 factor(static_cast<float>(scale));
   if (!is_finite(factor)) return std::nullopt;
   return desc::Emission{json->where(),
@@ -233,13 +230,13 @@ std::optional<desc::Emission> PrimitiveReader::emission_of(const ObjectReader& o
 
 void PrimitiveReader::set_media(const ObjectReader& object, const Surface& surface,
                                 desc::Shape& shape) {
-  const LocatedJson* inside = object.find("int_medium");
-  const LocatedJson* outside = object.find("ext_medium");
-  if (inside == nullptr) inside = surface.inside;
-  if (outside == nullptr) outside = surface.outside;
-  if (inside != nullptr) shape.inside = media_.resolve(*inside);
-  if (outside != nullptr) shape.outside = media_.resolve(*outside);
-  shape.has_medium_interface = inside != nullptr || outside != nullptr;
+  auto inside = object.find("int_medium");
+  auto outside = object.find("ext_medium");
+  if (!inside) inside = surface.inside;
+  if (!outside) outside = surface.outside;
+  if (inside) shape.inside = media_.resolve(*inside);
+  if (outside) shape.outside = media_.resolve(*outside);
+  shape.has_medium_interface = inside || outside;
 }
 
 void PrimitiveReader::warn_of_lids(const ObjectReader& object, const Surface& surface,
@@ -261,11 +258,11 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
   if (!name.empty()) places_.try_emplace(name, transform);
   const bool is_top = &shapes == &context_.scene.shapes;
   if (is_top) {
-    const LocatedJson* light = object.find({"power", "emission"});
-    if (*type == "skydome" || (light != nullptr && is_bright(*light))) has_light_ = true;
+    const auto light = object.find({"power", "emission"});
+    if (*type == "skydome" || (light && is_bright(*light))) has_light_ = true;
   }
   object.accept({"bump_strength"});
-  if (object.find("bump") != nullptr) {
+  if (object.has("bump")) {
     context_.warnings.add(kBumpStrength, object.where(),
                           "bumps of primitives are not supported, only those of bsdfs: ignored");
   }
@@ -329,39 +326,38 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
 // ---------------------------------------------------------------- copies
 
 desc::ObjectId PrimitiveReader::object_of(const LocatedJson& master) {
-  const LocatedJson* json = &master;
-  if (master.is(Kind::String)) {
+  LocatedJson json = master;
+  if (master.is(Kind::Text)) {
     const auto found = named_.find(master.text());
     if (found == named_.end()) return desc::kNone;
     json = found->second;
   }
   std::vector<desc::Shape> shapes;
-  read(*json, shapes);
+  read(json, shapes);
   if (shapes.empty()) return desc::kNone;
-  context_.scene.objects.push_back({shapes.front().name, json->where(), std::move(shapes)});
+  context_.scene.objects.push_back({shapes.front().name, json.where(), std::move(shapes)});
   return static_cast<desc::ObjectId>(context_.scene.objects.size()) - 1;
 }
 
 void PrimitiveReader::read_instances(const ObjectReader& object, const Mat4& transform) {
   object.accept({"bsdf", "int_medium", "ext_medium"});
-  if (const LocatedJson* light = object.find({"power", "emission"});
-      light != nullptr && is_bright(*light)) {
+  if (const auto light = object.find({"power", "emission"}); light && is_bright(*light)) {
     context_.warnings.add(kUnlitInstances, light->where(),
                           "instances cannot shine: their own emission is left out, and no even "
                           "light stands in for it");
   }
   std::vector<desc::ObjectId> masters;
-  if (const LocatedJson* list = object.find("masters"); list != nullptr && list->is(Kind::Array)) {
+  if (const auto list = object.find("masters"); list && list->is(Kind::Array)) {
     for (const LocatedJson& master : list->items()) masters.push_back(object_of(master));
   }
-  if (object.find("instancesB") != nullptr) {
+  if (object.has("instancesB")) {
     context_.warnings.add(kMovingInstances, object.where(),
                           "instances between two files are not supported: the first file counts");
   }
   object.accept({"ratio"});
-  const LocatedJson* list = object.find({"instances", "instancesA"});
+  const auto list = object.find({"instances", "instancesA"});
   object.report_unknown();
-  if (list == nullptr) return;
+  if (!list) return;
   // Copies are never scaled, and neither is their common transform.
   const Mat4 turn = without_scale(transform, false);
   std::size_t lost = 0;
@@ -395,17 +391,13 @@ bool is_primitive_type(std::string_view name) {
 void PrimitiveReader::read_all(const LocatedJson& list) {
   if (!list.is(Kind::Array)) throw SceneError(list.where(), "\"primitives\" must be an array");
   for (const LocatedJson& json : list.items()) {
-    const LocatedJson* name = json.find("name");
-    if (name != nullptr && name->is(Kind::String)) named_.try_emplace(name->text(), &json);
+    const auto name = json.is(Kind::Object) ? json.find("name") : std::nullopt;
+    if (name && name->is(Kind::Text)) named_.try_emplace(name->text(), json);
   }
   // Primitives that may refer to the places of others come last.
-  const auto refers = [](const LocatedJson& json) {
-    const LocatedJson* type = json.find("type");
-    return type != nullptr && type->is(Kind::String) && type->text() == "infinite_sphere_cap";
-  };
   for (const bool last : {false, true}) {
     for (const LocatedJson& json : list.items()) {
-      if (refers(json) == last) read(json, context_.scene.shapes);
+      if ((type_of(json) == "infinite_sphere_cap") == last) read(json, context_.scene.shapes);
     }
   }
 }

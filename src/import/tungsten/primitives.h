@@ -54,7 +54,7 @@ class PrimitiveReader {
   MeshFiles meshes_;
   PrimitivePlaces places_;
   bool has_light_ = false;
-  std::map<std::string, const LocatedJson*, std::less<>> named_;
+  std::map<std::string, LocatedJson, std::less<>> named_;
 };
 
 }  // namespace ajar::tungsten

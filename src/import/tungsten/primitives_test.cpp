@@ -105,7 +105,8 @@ TEST(Primitives, TexturesOnLidsAreWarnings) {
                    "'albedo': 'a.png'}, 'bsdf1': {'type': 'mirror'}}",
                    "{'type': 'cylinder', " + members + "}"));
   };
-  EXPECT_TRUE(contains(with("'bsdf': 'm'"), "test.json:3:16: the texture runs around the lids"));
+  EXPECT_TRUE(contains(with("'bsdf': 'm'"),
+                       "test.json:3:16#/primitives/0: the texture runs around the lids"));
   EXPECT_TRUE(contains(with("'emission': {'type': 'checker'}"), "runs around the lids"));
   EXPECT_EQ(with("'bsdf': 'm', 'capped': false"), "");
   EXPECT_EQ(with("'emission': 1"), "");
@@ -189,7 +190,8 @@ TEST(Primitives, MeshFilesThatCannotBeUsedAreLeftOutWithAWarning) {
   };
   for (const char* file : {"bad.wo3", "m.stl", "o.obj", "missing.wo3"}) {
     const std::string warnings = warnings_of(with(file), files);
-    EXPECT_TRUE(contains(warnings, "test.json:3:41: cannot use this mesh: ")) << warnings;
+    EXPECT_TRUE(contains(warnings, "test.json:3:41#/primitives/0/file: cannot use this mesh: "))
+        << warnings;
   }
   EXPECT_TRUE(contains(warnings_of(scene_text("", "{'type': 'mesh'}")), "names no \"file\""));
   EXPECT_TRUE(
@@ -269,7 +271,7 @@ TEST(Primitives, ImagesOfAnInfiniteSphereAreDecodedAsTheySay) {
       warnings_of(scene_text("",
                              "{'type': 'infinite_sphere', 'emission': {'type': 'bitmap', 'file': "
                              "'a.png', 'clamp': true}}, {'type': 'quad'}")),
-      "test.json:3:56: \"clamp\" is not supported here"));
+      "test.json:3:56#/primitives/0/emission: \"clamp\" is not supported here"));
 }
 
 TEST(Primitives, ASunOfSomeSizeIsParallelLightOfTheSameIrradiance) {
@@ -384,14 +386,15 @@ TEST(InstanceFiles, MayRoundPlaces) {
 }
 
 TEST(Primitives, UnknownOrUnsupportedOnesAreLeftOut) {
-  EXPECT_TRUE(contains(warnings_of(scene_text("", "{'type': 'qad'}")),
-                       "test.json:3:16: unknown primitive type \"qad\"; did you mean \"quad\"?"));
+  EXPECT_TRUE(contains(
+      warnings_of(scene_text("", "{'type': 'qad'}")),
+      "test.json:3:16#/primitives/0: unknown primitive type \"qad\"; did you mean \"quad\"?"));
   EXPECT_TRUE(contains(warnings_of(scene_text("", "{'type': 'minecraft_map'}")),
                        "\"minecraft_map\" are not supported"));
   EXPECT_TRUE(contains(warnings_of(scene_text("", "{'type': 'sphere', 'transform': {'scale': 0}}")),
                        "cannot be inverted: left out"));
   EXPECT_TRUE(contains(error_of(scene_text("", "{'name': 'a'}")), "a primitive needs \"type\""));
-  EXPECT_TRUE(contains(error_of(scene_text("", "7")), "expected a primitive, which is an object"));
+  EXPECT_TRUE(contains(error_of(scene_text("", "7")), "must be a primitive, which is an object"));
 }
 
 }  // namespace

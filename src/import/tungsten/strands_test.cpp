@@ -145,10 +145,10 @@ TEST(Strands, UnsupportedOptionsOfPrimitivesAreWarnings) {
                  "'emission': 1},"
                  "{'type': 'curves', 'file': 'b.fiber'}"),
       files);
-  for (const char* part :
-       {"ribbons that turn at random", "\"subsample\" is not supported",
-        "test.json:3:102: curves cannot shine", "curves without a \"bsdf\" are hair",
-        "cannot use these curves: b.fiber: these curves cannot be read"}) {
+  for (const char* part : {"ribbons that turn at random", "\"subsample\" is not supported",
+                           "test.json:3:102#/primitives/0/emission: curves cannot shine",
+                           "curves without a \"bsdf\" are hair",
+                           "cannot use these curves: b.fiber: these curves cannot be read"}) {
     EXPECT_TRUE(contains(warnings, part)) << part << "\n" << warnings;
   }
   EXPECT_TRUE(contains(error_of(scene_text("", "{'type': 'curves', 'mode': 'ribon'}")),

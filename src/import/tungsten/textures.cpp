@@ -50,11 +50,7 @@ std::vector<std::string> names_of_texture_types() {
 
 const Vec3 kGrey(0.5F);
 
-bool is_bitmap(const LocatedJson& json) {
-  if (json.is(Kind::String)) return true;
-  const LocatedJson* type = json.find("type");
-  return type != nullptr && type->is(Kind::String) && type->text() == "bitmap";
-}
+bool is_bitmap(const LocatedJson& json) { return json.is(Kind::Text) || type_of(json) == "bitmap"; }
 
 /// Tungsten's readers of these formats make an alpha of 1 where a file has none.
 bool always_has_alpha(const std::string& file) {
@@ -78,9 +74,7 @@ Vec3 not_negative(const Context& context, const SourceLocation& where, const Vec
 }
 
 void check_texture(const Context& context, const LocatedJson& json) {
-  const LocatedJson* name = json.find("type");
-  const TextureType* type =
-      name != nullptr && name->is(Kind::String) ? texture_type(name->text()) : nullptr;
+  const TextureType* type = texture_type(type_of(json));
   if (type == nullptr) return;
   const ObjectReader object(context, json, "a texture");
   object.accept({"name", "type"});
@@ -95,7 +89,7 @@ desc::TextureRef TextureReader::add(const SourceLocation& where, desc::Node node
 
 std::string TextureReader::resolve(const LocatedJson& name) {
   try {
-    return context_.files.resolve(text_of(name), name.where());
+    return context_.files.resolve(name.text(), name.where());
   } catch (const IoError& error) {
     throw SceneError(name.where(), error.what());
   }
@@ -104,12 +98,12 @@ std::string TextureReader::resolve(const LocatedJson& name) {
 std::optional<Bitmap> TextureReader::bitmap(const LocatedJson& json) {
   if (!is_bitmap(json)) return std::nullopt;
   Bitmap result;
-  if (json.is(Kind::String)) {
+  if (json.is(Kind::Text)) {
     if (!json.text().empty()) result.file = resolve(json);
   } else {
     const ObjectReader object(context_, json, "a bitmap");
     object.accept({"type", "name"});
-    if (const LocatedJson* file = object.find({"file", "path"})) result.file = resolve(*file);
+    if (const auto file = object.find({"file", "path"})) result.file = resolve(*file);
     result.gamma_correct = object.flag("gamma_correct").value_or(true);
     result.interpolate = object.flag("interpolate").value_or(true);
     result.clamp = object.flag("clamp").value_or(false);
@@ -207,14 +201,14 @@ desc::Value TextureReader::number(const LocatedJson& json, NumberRole role) {
 desc::Value TextureReader::color(const ObjectReader& object,
                                  std::initializer_list<std::string_view> names,
                                  const Vec3& fallback) {
-  const LocatedJson* json = object.find(names);
-  return json != nullptr ? color(*json) : fallback;
+  const auto json = object.find(names);
+  return json ? color(*json) : fallback;
 }
 
 desc::Value TextureReader::number(const ObjectReader& object,
                                   std::initializer_list<std::string_view> names, float fallback) {
-  const LocatedJson* json = object.find(names);
-  return json != nullptr ? number(*json) : fallback;
+  const auto json = object.find(names);
+  return json ? number(*json) : fallback;
 }
 
 desc::Value TextureReader::product(const desc::Value& color, const Vec3& factor) {

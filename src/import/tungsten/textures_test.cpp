@@ -75,14 +75,15 @@ TEST(TungstenTextures, OfOtherTypesAreReplacedWithAWarning) {
     return scene_text("{'name': 'm', 'type': 'lambert', 'albedo': " + texture + "}",
                       "{'type': 'sphere', 'bsdf': 'm'}");
   };
-  EXPECT_TRUE(contains(warnings_of(with("{'type': 'blade'}")),
-                       "test.json:2:54: textures of type \"blade\" are not supported"))
+  EXPECT_TRUE(
+      contains(warnings_of(with("{'type': 'blade'}")),
+               "test.json:2:54#/bsdfs/0/albedo: textures of type \"blade\" are not supported"))
       << warnings_of(with("{'type': 'blade'}"));
   EXPECT_TRUE(contains(warnings_of(with("{'type': 'chequer'}")), "did you mean \"checker\"?"));
   EXPECT_TRUE(contains(warnings_of(with("''")), "names no file"));
   EXPECT_TRUE(contains(error_of(with("{'res_u': 2}")), "a texture needs \"type\""));
-  EXPECT_TRUE(contains(error_of(with("true")), "expected a texture"));
-  EXPECT_TRUE(contains(error_of(with("[1, 2]")), "expected three numbers, not 2"));
+  EXPECT_TRUE(contains(error_of(with("true")), "must be a texture"));
+  EXPECT_TRUE(contains(error_of(with("[1, 2]")), "must be 3 numbers, not [1, 2]"));
 }
 
 }  // namespace

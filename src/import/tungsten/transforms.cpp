@@ -65,14 +65,13 @@ Vec3d rotated_zxy(const Vec3d& v, const Vec3d& degrees) {
 }
 
 Mat4 from_matrix(const LocatedJson& json) {
-  if (json.items().size() != 16) {
-    throw SceneError(json.where(),
-                     "a matrix has 16 numbers, not " + std::to_string(json.items().size()));
+  if (json.size() != 16) {
+    throw SceneError(json.where(), "a matrix has 16 numbers, not " + std::to_string(json.size()));
   }
   Mat4 matrix;
   for (std::size_t i = 0; i < 16; ++i) {
     matrix[static_cast<int>(i % 4)][static_cast<int>(i / 4)] =
-        static_cast<double>(number_of(json.items()[i]));
+        static_cast<double>(json[i].as<float>());
   }
   // Tungsten ignores the last row of affine transforms; so do we.
   for (int i = 0; i < 3; ++i) matrix[i][3] = 0.0;
@@ -116,8 +115,8 @@ Mat4 transform_of(const Context& context, const LocatedJson& json) {
 }
 
 Mat4 transform_of(const Context& context, const ObjectReader& object) {
-  const LocatedJson* transform = object.find("transform");
-  return transform != nullptr ? transform_of(context, *transform) : Mat4();
+  const auto transform = object.find("transform");
+  return transform ? transform_of(context, *transform) : Mat4();
 }
 
 Vec3d axis_of(const Mat4& transform, int axis) {

@@ -14,7 +14,7 @@ Mat4 transform_in(const std::string& text) {
   Warnings warnings;
   FileAccess files("", {}, warnings);
   const Context context{scene, warnings, files};
-  const Mat4 result = transform_of(context, LocatedJson::parse(json, "t.json"));
+  const Mat4 result = transform_of(context, LocatedJson::parse(json, {.name = "t.json"}));
   for (const std::string& message : warnings.messages()) ADD_FAILURE() << message;
   return result;
 }

@@ -38,7 +38,7 @@ const TransmittanceType* known_type(const Context& context, const LocatedJson& j
   object.accept(type->members);
   object.report_unknown();
   for (const char* part : {"tr_a", "tr_b"}) {
-    if (const LocatedJson* found = json.find(part)) known_type(context, *found);
+    if (const auto found = json.find(part)) known_type(context, *found);
   }
   return &*type;
 }
@@ -49,12 +49,11 @@ void check_transmittance(const Context& context, const LocatedJson& json) {
   const TransmittanceType* type = known_type(context, json);
   if (type == &kTransmittances.front()) return;
   std::string message = "only exponential transmittance is supported: it stands in";
-  if (const LocatedJson* name = json.find("type");
-      type == nullptr && name != nullptr && name->is(LocatedJson::Kind::String)) {
+  if (const std::string name = type_of(json); type == nullptr && !name.empty()) {
     std::vector<std::string> names;
     names.reserve(kTransmittances.size());
     for (const TransmittanceType& known : kTransmittances) names.emplace_back(known.name);
-    message = unknown_name_message("transmittance", shown(name->text()), names) +
+    message = unknown_name_message("transmittance", shown(name), names) +
               ". An exponential one stands in";
   }
   context.warnings.add(kTransmittance, json.where(), message);

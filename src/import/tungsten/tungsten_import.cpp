@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "import/common/repeated_members.h"
 #include "import/tungsten/camera.h"
 #include "import/tungsten/other_dialects.h"
 #include "import/tungsten/primitives.h"
@@ -19,25 +20,25 @@ void read_scene(Context& context, const LocatedJson& root) {
   require_scene(root);
   const ObjectReader object(context, root, "a scene");
   // First: how long paths are matters to media.
-  if (const LocatedJson* integrator = object.find("integrator")) {
+  if (const auto integrator = object.find("integrator")) {
     read_integrator(context, *integrator);
   }
   TextureReader textures(context);
   MediumTable media(context);
   BsdfTable bsdfs(context, textures);
   PrimitiveReader primitives(context, textures, bsdfs, media);
-  if (const LocatedJson* list = object.find("media")) media.define(*list);
-  if (const LocatedJson* list = object.find("bsdfs")) bsdfs.define(*list);
-  if (const LocatedJson* list = object.find("primitives")) primitives.read_all(*list);
+  if (const auto list = object.find("media")) media.define(*list);
+  if (const auto list = object.find("bsdfs")) bsdfs.define(*list);
+  if (const auto list = object.find("primitives")) primitives.read_all(*list);
   if (!primitives.has_light()) add_default_light(context, root.where());
-  if (const LocatedJson* camera = object.find("camera")) {
+  if (const auto camera = object.find("camera")) {
     read_camera(context, *camera, media, primitives.places());
   } else {
     context.warnings.add(kNoCamera, root.where(),
                          "there is no \"camera\": a perspective one at the origin is used");
     context.scene.camera.where = context.scene.film.where = root.where();
   }
-  if (const LocatedJson* renderer = object.find("renderer")) read_renderer(context, *renderer);
+  if (const auto renderer = object.find("renderer")) read_renderer(context, *renderer);
   object.report_unknown();
   if (context.scene.shapes.empty() && context.scene.instances.empty()) {
     context.warnings.add(kNoShapes, root.where(), "there are no shapes in this scene");
@@ -55,8 +56,11 @@ desc::SceneDesc import_tungsten_text(std::string_view text, const std::string& n
   desc::SceneDesc scene;
   scene.source = name;
   tungsten::Context context{scene, warnings, files};
-  tungsten::read_scene(
-      context, LocatedJson::parse(in_text.view(), name, JsonExtras::CommentsAndTrailingCommas));
+  // Bsdfs and textures are read recursively.
+  const JsonRules rules{.name = name, .deepest = 100, .first_counts = true, .has_extras = true};
+  const LocatedJson root = LocatedJson::parse(std::string(in_text.view()), rules);
+  warn_of_repeated_members(root, "first", warnings);
+  tungsten::read_scene(context, root);
   scene.files = files.named();
   return scene;
 }

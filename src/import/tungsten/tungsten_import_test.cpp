@@ -31,7 +31,7 @@ TEST(TungstenImport, RefusesOtherFiles) {
   EXPECT_EQ(error_of("{\"camera\": }").find("test.json:1:12: this is no JSON: "), 0U)
       << error_of("{\"camera\": }");
   EXPECT_EQ(error_of(quoted("{'camera': 7}")),
-            "test.json:1:12: expected a camera, which is an object, not a number");
+            "test.json:1:12#/camera: must be a camera, which is an object, not 7");
 }
 
 TEST(TungstenImport, RefusesScenesOfOtherPrograms) {
@@ -94,14 +94,15 @@ TEST(TungstenImport, UnknownMembersAreWarningsWithTheNearestName) {
       quoted("{'camera': {'fow': 30},\n'bsdfs': [{'name': 'a', 'type': 'lambert', 'albdo': 1}],\n"
              "'primitives': [{'type': 'quad', 'bsdf': 'a', 'bsdf': 'b'}], 'rendrer': {}}"));
   EXPECT_TRUE(contains(warnings,
-                       "test.json:1:13: unknown member of a camera \"fow\"; did you mean "
+                       "test.json:1:13#/camera: unknown member of a camera \"fow\"; did you mean "
                        "\"fov\"?"))
       << warnings;
   EXPECT_TRUE(contains(warnings,
-                       "test.json:2:44: unknown member of a bsdf \"albdo\"; did you mean "
+                       "test.json:2:44#/bsdfs/0: unknown member of a bsdf \"albdo\"; did you mean "
                        "\"albedo\"?"))
       << warnings;
-  EXPECT_TRUE(contains(warnings, "test.json:3:46: \"bsdf\" stands twice in a primitive"))
+  EXPECT_TRUE(
+      contains(warnings, "test.json:3:46: \"bsdf\" stands twice in this object: the first counts"))
       << warnings;
   EXPECT_TRUE(contains(warnings,
                        "unknown member of a scene \"rendrer\"; did you mean "
@@ -166,11 +167,12 @@ TEST(TungstenImport, MediaThatEndPathsEarlierAreWarnings) {
                "'homogeneous', " +
                medium + "}}, 'integrator': {" + integrator + "}}"));
   };
-  EXPECT_TRUE(contains(with("'sigma_s': 1, 'max_bounces': 8", ""),
-                       "test.json:2:75: paths that scatter more than 8 times"))
+  EXPECT_TRUE(
+      contains(with("'sigma_s': 1, 'max_bounces': 8", ""),
+               "test.json:2:75#/camera/medium/max_bounces: paths that scatter more than 8 times"))
       << with("'sigma_s': 1, 'max_bounces': 8", "");
   EXPECT_TRUE(contains(with("'sigma_s': 1", "'max_bounces': 2000"),
-                       "test.json:2:22: paths that scatter more than 1024 times"));
+                       "test.json:2:22#/camera/medium: paths that scatter more than 1024 times"));
   EXPECT_EQ(with("'sigma_s': 1, 'max_bounces': 8", "'max_bounces': 8"), "");
   EXPECT_EQ(with("'sigma_a': 1, 'max_bounces': 0", ""), "") << "what only absorbs ends no path";
   EXPECT_EQ(with("'sigma_s': 1", ""), "");
