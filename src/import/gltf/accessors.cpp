@@ -41,16 +41,16 @@ std::size_t size_of(ComponentType type) {
 std::size_t count_of(const Element& accessor) {
   const Element count = accessor.at("count");
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  if (count.whole() > kMost) {
-    count.fail("these are " + std::to_string(count.whole()) + " elements, of which at most " +
-               std::to_string(kMost) + " can be read");
+  if (count.as<std::uint64_t>() > kMost) {
+    count.fail("these are " + std::to_string(count.as<std::uint64_t>()) +
+               " elements, of which at most " + std::to_string(kMost) + " can be read");
   }
-  return static_cast<std::size_t>(count.whole());
+  return static_cast<std::size_t>(count.as<std::uint64_t>());
 }
 
 ComponentType component_type_of(const Element& element) {
   const Element type = element.at("componentType");
-  switch (type.whole()) {
+  switch (type.as<std::uint64_t>()) {
     case 5120:
       return ComponentType::Byte;
     case 5121:
@@ -64,7 +64,7 @@ ComponentType component_type_of(const Element& element) {
     case 5126:
       return ComponentType::Float;
     default:
-      type.fail(std::to_string(type.whole()) +
+      type.fail(std::to_string(type.as<std::uint64_t>()) +
                 " is no component type. Valid: 5120, 5121, 5122, 5123, 5125, 5126");
   }
 }
@@ -116,7 +116,7 @@ void read_element(const char* bytes, int components, bool normalized, Value& val
 }  // namespace
 
 Accessors::Accessors(const Context& context, Buffers& buffers)
-    : buffers_(buffers), all_(context.document.root().elements("accessors")) {}
+    : buffers_(buffers), all_(context.document.root.items("accessors")) {}
 
 std::size_t Accessors::count(std::size_t accessor) const { return count_of(all_[accessor]); }
 
@@ -133,7 +133,7 @@ std::vector<Imath::M44f> Accessors::read_matrices(std::size_t accessor) {
 
 bool Accessors::are_plain_integers(std::size_t accessor) const {
   return component_type_of(all_[accessor]) != ComponentType::Float &&
-         !all_[accessor].flag_or("normalized", false);
+         !all_[accessor].value_or("normalized", false);
 }
 
 std::vector<Imath::V4f> Accessors::read_colors(std::size_t accessor) {
@@ -158,7 +158,8 @@ std::vector<unsigned> Accessors::read_indices(std::size_t accessor) {
   const ComponentType component = component_type_of(all_[accessor]);
   if (component != ComponentType::UnsignedByte && component != ComponentType::UnsignedShort &&
       component != ComponentType::UnsignedInt) {
-    type.fail("indices are of the type 5121, 5123 or 5125, not " + std::to_string(type.whole()));
+    type.fail("indices are of the type 5121, 5123 or 5125, not " +
+              std::to_string(type.as<std::uint64_t>()));
   }
   return read<unsigned>(accessor, 1);
 }
@@ -189,7 +190,7 @@ void Accessors::read_sparse(const Element& accessor, const Layout& base, int com
                             std::vector<Value>& values) {
   const std::optional<Element> sparse = accessor.find("sparse");
   if (!sparse) return;
-  const std::uint64_t count = sparse->at("count").whole();
+  const std::uint64_t count = sparse->at("count").as<std::uint64_t>();
   if (count > values.size()) {
     sparse->at("count").fail("more elements are replaced than there are: " + std::to_string(count) +
                              " of " + std::to_string(values.size()));
@@ -232,7 +233,7 @@ Accessors::Layout Accessors::layout_of(const Element& accessor, int components) 
                               "has bytes");
   }
   layout.type = type;
-  layout.normalized = accessor.flag_or("normalized", false);
+  layout.normalized = accessor.value_or("normalized", false);
   return layout;
 }
 
@@ -242,7 +243,7 @@ Accessors::Layout Accessors::elements_of(const Element& user, std::size_t count,
   const std::optional<BufferView> view = buffers_.find_view(user, "bufferView");
   if (!view || count == 0) return layout;
   layout.stride = view->stride > 0 ? view->stride : size;
-  const std::uint64_t offset = user.whole_or("byteOffset", 0);
+  const std::uint64_t offset = user.value_or<std::uint64_t>("byteOffset", 0);
   const std::size_t available = view->bytes.size();
   const bool fits = offset <= available && size <= available - offset &&
                     count - 1 <= (available - offset - size) / layout.stride;

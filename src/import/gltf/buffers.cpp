@@ -17,11 +17,11 @@ std::uint64_t added(std::uint64_t a, std::uint64_t b) {
 
 Buffers::Buffers(const Context& context)
     : context_(context),
-      buffers_(context.document.root().elements("buffers")),
-      views_(context.document.root().elements("bufferViews")),
+      buffers_(context.document.root.items("buffers")),
+      views_(context.document.root.items("bufferViews")),
       loaded_(buffers_.size()) {
   for (const Element& buffer : buffers_) {
-    total_bytes_ = added(total_bytes_, buffer.at("byteLength").whole());
+    total_bytes_ = added(total_bytes_, buffer.at("byteLength").as<std::uint64_t>());
   }
 }
 
@@ -30,14 +30,14 @@ std::optional<BufferView> Buffers::find_view(const Element& user, std::string_vi
   if (!i) return std::nullopt;
   const Element& view = views_[*i];
   const std::string_view buffer = bytes_of(view.at("buffer").index(buffers_.size()));
-  const std::uint64_t offset = view.whole_or("byteOffset", 0);
-  const std::uint64_t length = view.at("byteLength").whole();
+  const std::uint64_t offset = view.value_or<std::uint64_t>("byteOffset", 0);
+  const std::uint64_t length = view.at("byteLength").as<std::uint64_t>();
   if (offset > buffer.size() || length > buffer.size() - offset) {
     view.fail("this reaches beyond its buffer, which has " + std::to_string(buffer.size()) +
               " bytes: " + std::to_string(length) + " from " + std::to_string(offset));
   }
   constexpr std::uint64_t kMostStride = 252;  // glTF 2.0, section 5.11.4
-  const std::uint64_t stride = view.whole_or("byteStride", 0);
+  const std::uint64_t stride = view.value_or<std::uint64_t>("byteStride", 0);
   if (stride > kMostStride) {
     view.at("byteStride")
         .fail("a stride is at most " + std::to_string(kMostStride) + ", not " +
@@ -52,7 +52,7 @@ std::string_view Buffers::bytes_of(std::size_t i) {
   if (loaded_[i]) return *loaded_[i];
   const Element& buffer = buffers_[i];
   const std::string_view bytes = load(buffer);
-  const std::uint64_t length = buffer.at("byteLength").whole();
+  const std::uint64_t length = buffer.at("byteLength").as<std::uint64_t>();
   if (length > bytes.size()) {
     buffer.fail("this buffer should have " + std::to_string(length) + " bytes, but there are " +
                 std::to_string(bytes.size()));

@@ -55,7 +55,7 @@ void set_orthographic(const Element& orthographic, desc::SceneDesc& scene) {
 }  // namespace
 
 bool set_camera(Context& context, const std::vector<PlacedNode>& nodes) {
-  const std::vector<Element> cameras = context.document.root().elements("cameras");
+  const std::vector<Element> cameras = context.document.root.items("cameras");
   bool found = false;
   for (const PlacedNode& placed : nodes) {
     const std::optional<std::size_t> i = placed.node.find_index("camera", cameras.size());

@@ -82,13 +82,20 @@ Document parse_document(std::string_view bytes, const std::string& name) {
   const auto shared_name = std::make_shared<const std::string>(name);
   Chunks chunks{bytes, {}};
   if (bytes.starts_with(kMagic)) chunks = Container(bytes, shared_name).read();
-  PlacedJson json = parse_placed_json(chunks.json, shared_name);
-  Document document;
-  document.origin = std::make_shared<const Origin>(Origin{name, std::move(json.places)});
-  document.json = std::move(json.value);
-  document.binary = chunks.binary;
-  check_version(document.root());
-  return document;
+  const Element root = Element::parse(std::string(chunks.json), {.name = name});
+  check_version(root);
+  return {root, chunks.binary};
+}
+
+std::optional<Element> extension_of(const Element& element, std::string_view name) {
+  const std::optional<Element> extensions = element.find("extensions");
+  return extensions ? extensions->find(name) : std::nullopt;
+}
+
+Element referred(const Element& number, const Element& root, std::string_view name) {
+  const std::optional<Element> array = root.find(name);
+  const std::size_t i = number.index(array ? array->size() : 0);
+  return (*array)[i];
 }
 
 }  // namespace ajar::gltf

@@ -21,10 +21,10 @@ TEST(GltfDocument, MessagesHaveLineColumnAndElement) {
     return warnings_in([&](Warnings& warnings) { import_with(bytes, warnings); });
   };
   const std::string warnings = warnings_in_text(text);
-  for (const char* part : {"test.gltf:1:1: \"asset\" stands twice in this object: the last counts",
-                           "test.gltf:4:33#/scenes/1: a scene has no member \"nods\"",
+  for (const char* part : {"test.gltf:6:3: \"asset\" stands twice in this object: the last counts",
+                           "test.gltf:4:34#/scenes/1: a scene has no member \"nods\"",
                            "test.gltf:4:13#/scenes: of these 2 scenes only number 0",
-                           "test.gltf:5:17#/nodes/1: a node has no member \"mash\""}) {
+                           "test.gltf:5:19#/nodes/1: a node has no member \"mash\""}) {
     EXPECT_TRUE(contains(warnings, part)) << part << "\n" << warnings;
   }
   EXPECT_FALSE(contains(warnings, "b/d")) << "the first of the two is not looked into";
@@ -49,38 +49,16 @@ TEST(GltfDocument, DeepDuplicateMembersTakeLinearTime) {
   EXPECT_TRUE(contains(warnings, "19900 more members stand twice"));
 }
 
-TEST(GltfDocument, LocatesEveryValue) {
-  const auto name = std::make_shared<const std::string>("a");
-  const PlacedJson json = parse_placed_json(
-      "[ {\"a\": [1,\n 2, \"three\"], \"b~/\": -1.5e3,\"c\":null},\n\t[[true] ] ]", name);
-  const auto at = [&](const char* pointer) {
-    const JsonPlaces::Place place = json.places.at(pointer);
-    return std::pair(place.line, place.column);
-  };
-  EXPECT_EQ(at(""), std::pair(1, 1));
-  EXPECT_EQ(at("/0"), std::pair(1, 3));
-  EXPECT_EQ(at("/0/a"), std::pair(1, 9));
-  EXPECT_EQ(at("/0/a/1"), std::pair(1, 9)) << "numbers are where their array is";
-  EXPECT_EQ(at("/0/a/2"), std::pair(2, 5));
-  EXPECT_EQ(at("/0/b~0~1"), std::pair(2, 22));
-  EXPECT_EQ(at("/0/c"), std::pair(2, 33));
-  EXPECT_EQ(at("/1/0/0"), std::pair(3, 4));
-  EXPECT_EQ(at("/0/none/x"), std::pair(1, 3)) << "what is around it";
-  EXPECT_EQ(at("/1/7"), std::pair(3, 2));
-  EXPECT_EQ(json.value, Json::parse("[{\"a\": [1, 2, \"three\"], \"b~/\": -1500.0, \"c\": null}, "
-                                    "[[true]]]"));
-}
-
 TEST(GltfDocument, NumbersBeyondDoublesAreErrors) {
   EXPECT_TRUE(contains(error_of(R"({"asset": {"version": "2.0"}, "scene": 1e999})"),
-                       "the number 1e999 is beyond the range of numbers"));
+                       "the number 1e999 is too large; at most 1.7e308"));
 }
 
 TEST(GltfDocument, MustBeOfVersionTwo) {
   EXPECT_EQ(error_of(R"({"asset": {"version": "1.0"}})"),
             "test.gltf#/asset/version: this is glTF 1.0; only glTF 2 can be read");
   EXPECT_EQ(error_of("{}"), "test.gltf: there is no \"asset\" here");
-  EXPECT_EQ(error_of("[]"), "test.gltf: this must be an object, not array");
+  EXPECT_EQ(error_of("[]"), "test.gltf: must be an object, not []");
 }
 
 TEST(GltfDocument, DeepNestingIsNoProblem) {

@@ -96,8 +96,8 @@ void warn_of_extension(const std::string& name, const SourceLocation& where, War
 }
 
 void check_extensions(const Element& root, Warnings& warnings) {
-  for (const Element& element : root.elements("extensionsRequired")) check_required(element);
-  for (const Element& element : root.elements("extensionsUsed")) {
+  for (const Element& element : root.items("extensionsRequired")) check_required(element);
+  for (const Element& element : root.items("extensionsUsed")) {
     warn_of_extension(element.text(), element.where(), warnings);
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/warnings.h"
-#include "import/gltf/element.h"
+#include "import/gltf/document.h"
 
 namespace ajar::gltf {
 

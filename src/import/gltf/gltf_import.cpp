@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "import/common/printable.h"
+#include "import/common/repeated_members.h"
 #include "import/common/scene_file.h"
 #include "import/common/studio.h"
 #include "import/gltf/cameras.h"
@@ -18,23 +18,9 @@ namespace {
 constexpr WarningKind kAnimations{Effect::Geometry,
                                   "animations are not played: all is shown as it is placed"};
 constexpr WarningKind kOtherScenes{Effect::None, "files have several scenes: one is shown"};
-constexpr WarningKind kRepeated{Effect::Slight, "members stand twice: the last counts"};
 constexpr WarningKind kStudioLight{Effect::Light,
                                    "scenes without lights have the light of a studio"};
 constexpr WarningKind kVariants{Effect::None, "variants of materials are not shown"};
-
-void warn_of_repeated_members(const gltf::Document& document, Warnings& warnings) {
-  for (const gltf::JsonPlaces::Repeated& repeated : document.origin->places.repeated()) {
-    const gltf::Element holder(document.json, document.origin, repeated.pointer);
-    const std::string name = printable(repeated.name);
-    warnings.add(kRepeated, holder.where(),
-                 "\"" + name + "\" stands twice in this object: the last counts", name);
-  }
-  if (const std::size_t more = document.origin->places.more_repeated(); more > 0) {
-    warnings.add(kRepeated, document.root().where(),
-                 std::to_string(more) + " more members stand twice: the last of each counts");
-  }
-}
 
 void warn_of_the_whole(const gltf::Element& root, Warnings& warnings) {
   if (const auto scenes = root.find("scenes"); scenes && scenes->size() > 1) {
@@ -47,7 +33,7 @@ void warn_of_the_whole(const gltf::Element& root, Warnings& warnings) {
     warnings.add(kAnimations, animations->where(),
                  "animations are not played: all is shown as its nodes place it");
   }
-  if (const auto variants = root.extension("KHR_materials_variants")) {
+  if (const auto variants = gltf::extension_of(root, "KHR_materials_variants")) {
     warnings.add(kVariants, variants->where(),
                  "of the variants of materials, only the default is shown");
   }
@@ -83,13 +69,13 @@ void warn_of_dark_lamps(const gltf::Element& root, const desc::SceneDesc& scene,
 
 desc::SceneDesc import_bytes(const SceneFile& file, Warnings& warnings, FileAccess& files) {
   const gltf::Document document = gltf::parse_document(file.bytes, file.name);
-  const gltf::Element root = document.root();
+  const gltf::Element root = document.root;
   desc::SceneDesc scene;
   scene.source = file.name;
   gltf::Context context{scene, warnings, files, document, file.path};
   gltf::check_extensions(root, warnings);
   gltf::check_members(root, warnings);
-  warn_of_repeated_members(document, warnings);
+  warn_of_repeated_members(root, "last", warnings);
   warn_of_the_whole(root, warnings);
   const std::vector<gltf::PlacedNode> nodes = gltf::place_nodes(root);
   gltf::MeshPlacer(context).place(nodes);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "import/testing/import_checks.h"
 
 namespace ajar::gltf {
+
+using Json = nlohmann::json;
 
 /// The bytes of numbers, as they are in memory.
 template <typename T>

@@ -8,7 +8,7 @@ namespace {
 
 constexpr WarningKind kNoImage{Effect::Surface, "images cannot be found: left out"};
 
-std::string extension_of(const std::string& media_type) {
+std::string suffix_of(const std::string& media_type) {
   if (media_type == "image/png") return ".png";
   if (media_type == "image/jpeg") return ".jpg";
   if (media_type == "image/webp") return ".webp";
@@ -24,7 +24,7 @@ std::optional<std::string> Images::name_of(const Element& image) {
 }
 
 std::optional<std::string> Images::find(const Element& image) {
-  const std::string media_type = image.text_or("mimeType", "");
+  const std::string media_type = image.value_or<std::string>("mimeType", "");
   if (const std::optional<BufferView> view = buffers_.find_view(image, "bufferView")) {
     return embed(image, std::string(view->bytes), media_type);
   }
@@ -42,7 +42,7 @@ std::optional<std::string> Images::find(const Element& image) {
 }
 
 std::string Images::embed(const Element& image, std::string bytes, const std::string& media_type) {
-  std::string name = context_.path + image.pointer() + extension_of(media_type);
+  std::string name = context_.path + image.pointer() + suffix_of(media_type);
   context_.scene.embedded_files[name] = std::make_shared<const std::string>(std::move(bytes));
   return name;
 }

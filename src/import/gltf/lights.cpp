@@ -19,8 +19,8 @@ float degrees(double radians) { return static_cast<float>(radians * 180.0 / M_PI
 
 desc::Node spot_node(Context& context, const Element& light, const Vec3& intensity) {
   const std::optional<Element> spot = light.find("spot");
-  const double inner = spot ? spot->find_number("innerConeAngle").value_or(0.0) : 0.0;
-  const double outer = spot ? spot->find_number("outerConeAngle").value_or(M_PI / 4) : M_PI / 4;
+  const double inner = spot ? spot->value_or("innerConeAngle", 0.0) : 0.0;
+  const double outer = spot ? spot->value_or("outerConeAngle", M_PI / 4) : M_PI / 4;
   if (!(inner >= 0.0 && inner <= outer && outer > 0.0 && outer <= M_PI / 2 + 1e-6)) {
     spot->fail("its cone angles must be 0 <= inner <= outer <= pi/2, the outer above 0");
   }
@@ -36,7 +36,7 @@ desc::Node spot_node(Context& context, const Element& light, const Vec3& intensi
 }
 
 Vec3 strength_of(const Element& light) {
-  return light.vector_or("color", Vec3(1.F)) * light.number_or("intensity", 1.0);
+  return light.value_or("color", Vec3(1.F)) * light.value_or("intensity", 1.F);
 }
 
 desc::Node node_of(Context& context, const Element& light) {
@@ -53,11 +53,11 @@ desc::Node node_of(Context& context, const Element& light) {
 }  // namespace
 
 void add_lights(Context& context, const std::vector<PlacedNode>& nodes) {
-  const std::optional<Element> extension = context.document.root().extension(kExtension);
+  const std::optional<Element> extension = extension_of(context.document.root, kExtension);
   const std::vector<Element> lights =
-      extension ? extension->elements("lights") : std::vector<Element>();
+      extension ? extension->items("lights") : std::vector<Element>();
   for (const PlacedNode& placed : nodes) {
-    const std::optional<Element> reference = placed.node.extension(kExtension);
+    const std::optional<Element> reference = extension_of(placed.node, kExtension);
     if (!reference || !placed.is_visible) continue;
     const Element& light = lights[reference->at("light").index(lights.size())];
     desc::Node node = light.located([&] { return node_of(context, light); });

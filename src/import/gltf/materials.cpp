@@ -1,7 +1,5 @@
 #include "import/gltf/materials.h"
 
-#include <algorithm>
-
 #include "import/common/studio.h"
 #include "import/gltf/surface_reader.h"
 
@@ -10,18 +8,24 @@ namespace ajar::gltf {
 std::optional<Element> Materials::find(const Element& primitive) const {
   const std::optional<Element> reference = primitive.find("material");
   if (!reference) return std::nullopt;
-  return reference->referred(context_.document.root(), "materials");
+  return referred(*reference, context_.document.root, "materials");
 }
 
 bool Materials::has_textures(const Element& primitive) const {
   const std::optional<Element> material = find(primitive);
-  if (!material) return false;
-  const std::vector<std::string> names = material->names();
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    // Occlusion textures are not read.
-    if (name == "occlusionTexture" || name == "extras") return false;
-    return name.ends_with("Texture") || material->at(name).mentions("Texture");
-  });
+  std::vector<Element> left;
+  if (material) left.push_back(*material);
+  while (!left.empty()) {
+    const Element object = left.back();
+    left.pop_back();
+    for (const auto& [name, key, member] : object.members()) {
+      // Occlusion textures are not read.
+      if (name == "occlusionTexture" || name == "extras") continue;
+      if (name.ends_with("Texture")) return true;
+      if (member.is(Element::Kind::Object)) left.push_back(member);
+    }
+  }
+  return false;
 }
 
 const Surface& Materials::of(const Element& primitive, const VertexColors* colors) {
@@ -34,9 +38,8 @@ const Surface& Materials::of(const Element& primitive, const VertexColors* color
 
 Surface Materials::make(const std::optional<Element>& material, const VertexColors* colors) {
   // Without one all has its defaults, which are those of a white metal.
-  static const Json kDefaults = Json::object();
-  const Element defaults(kDefaults, context_.document.origin, "/materials");
-  return SurfaceReader(context_, images_, material ? *material : defaults, colors).read();
+  const Element defaults = context_.document.root.without_members();
+  return SurfaceReader(context_, images_, material.value_or(defaults), colors).read();
 }
 
 }  // namespace ajar::gltf

@@ -190,22 +190,24 @@ bool is_numbered_attribute(std::string_view name) {
 class MemberCheck {
  public:
   MemberCheck(const Element& root, Warnings& warnings) : warnings_(warnings) {
-    for (const Element& name : root.elements("extensionsUsed")) told_.insert(name.text());
+    for (const Element& name : root.items("extensionsUsed")) told_.insert(name.text());
   }
 
   void check(const Element& object, std::string_view kind, const std::vector<Member>& members) {
-    for (const std::string& name : object.names()) {
+    if (!object.is(Element::Kind::Object)) return;
+    for (const auto& [name, key, value] : object.members()) {
       if (name == "extras") continue;
       if (name == "extensions") {
-        check_extensions(object.at(name), kind);
+        check_extensions(value, kind);
         continue;
       }
-      const auto known = std::find_if(members.begin(), members.end(),
-                                      [&](const Member& member) { return member.name == name; });
+      const auto known =
+          std::find_if(members.begin(), members.end(),
+                       [&name = name](const Member& member) { return member.name == name; });
       if (known != members.end()) {
-        if (!known->kind.empty()) check_all(object.at(name), known->kind);
+        if (!known->kind.empty()) check_all(value, known->kind);
       } else if (!kind.starts_with("attributes") || !is_numbered_attribute(name)) {
-        warn(object, kind, name, members);
+        warn(key, kind, name, members);
       }
     }
   }
@@ -213,13 +215,13 @@ class MemberCheck {
  private:
   void check_all(const Element& value, std::string_view kind) {
     const std::vector<Member>& members = kinds().at(kind);
-    if (!value.is_array()) return check(value, kind, members);
-    for (std::size_t i = 0; i < value.size(); ++i) check(value[i], kind, members);
+    if (!value.is(Element::Kind::Array)) return check(value, kind, members);
+    for (const Element& element : value.items()) check(element, kind, members);
   }
 
   void check_extensions(const Element& extensions, std::string_view kind) {
-    for (const std::string& name : extensions.names()) {
-      const Element extension = extensions.at(name);
+    if (!extensions.is(Element::Kind::Object)) return;
+    for (const auto& [name, key, extension] : extensions.members()) {
       const auto read = extension_kinds().find(name);
       if (read != extension_kinds().end() && !may_stand_in(name, kind)) {
         warnings_.add(kMisplaced, extension.where(),
@@ -232,13 +234,13 @@ class MemberCheck {
     }
   }
 
-  void warn(const Element& object, std::string_view kind, const std::string& name,
+  void warn(const Element& key, std::string_view kind, const std::string& name,
             const std::vector<Member>& members) {
     std::vector<std::string> valid;
     for (const Member& member : members) valid.push_back(member.name);
     const std::string shown = printable_line(name);
     const std::string nearest = nearest_name(name, valid);
-    warnings_.add(kUnknownMember, object.where(),
+    warnings_.add(kUnknownMember, key.where(),
                   std::string(kind) + " has no member \"" + shown + "\"" +
                       (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + ": ignored",
                   shown);

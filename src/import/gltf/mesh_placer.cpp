@@ -7,7 +7,7 @@ namespace {
 
 std::optional<Element> mesh_of(const Element& root, const PlacedNode& placed) {
   const std::optional<Element> reference = placed.node.find("mesh");
-  return reference ? std::optional(reference->referred(root, "meshes")) : std::nullopt;
+  return reference ? std::optional(referred(*reference, root, "meshes")) : std::nullopt;
 }
 
 std::string key_of(const Element& mesh, const Pose& pose) { return mesh.pointer() + pose.name; }
@@ -15,7 +15,7 @@ std::string key_of(const Element& mesh, const Pose& pose) { return mesh.pointer(
 }  // namespace
 
 void MeshPlacer::place(const std::vector<PlacedNode>& nodes) {
-  const Element root = context_.document.root();
+  const Element root = context_.document.root;
   Poses poses(context_, accessors_, nodes);
   struct Use {
     Element mesh;
@@ -59,7 +59,7 @@ MeshPlacer::Parts& MeshPlacer::parts_of(const Element& mesh, const Pose& pose) {
   const auto [place, is_new] = parts_.try_emplace(key_of(mesh, pose));
   Parts& parts = place->second;
   if (!is_new) return parts;
-  for (const Element& primitive : mesh.elements("primitives")) {
+  for (const Element& primitive : mesh.items("primitives")) {
     const VertexColors* colors =
         meshes_.colors_of(primitive, pose, materials_.has_textures(primitive));
     const Surface& surface = materials_.of(primitive, colors);
@@ -67,7 +67,7 @@ MeshPlacer::Parts& MeshPlacer::parts_of(const Element& mesh, const Pose& pose) {
     if (!triangles) continue;
     desc::Shape& shape = (surface.emission ? parts.shining : parts.plain).emplace_back();
     shape.where = primitive.where();
-    shape.name = mesh.text_or("name", "");
+    shape.name = mesh.value_or<std::string>("name", "");
     shape.node = desc::mesh_node(std::move(triangles));
     shape.material = surface.material;
     shape.alpha = surface.alpha;
@@ -96,7 +96,8 @@ void MeshPlacer::add_instance(Parts& parts, const Element& mesh, const Mat4& to_
   if (parts.plain.empty()) return;
   if (parts.object == desc::kNone) {
     parts.object = static_cast<desc::ObjectId>(context_.scene.objects.size());
-    context_.scene.objects.push_back({mesh.text_or("name", ""), mesh.where(), parts.plain});
+    context_.scene.objects.push_back(
+        {mesh.value_or<std::string>("name", ""), mesh.where(), parts.plain});
   }
   context_.scene.instances.push_back({parts.object, to_world, node.where()});
 }

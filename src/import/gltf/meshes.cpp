@@ -95,7 +95,7 @@ const VertexColors* Meshes::colors_of(const Element& primitive, const Pose& pose
   const ColorKey key{accessors_.index_of(*reference),
                      accessors_.index_of(attributes.at("POSITION")),
                      accessor_of(primitive.find("indices")),
-                     primitive.whole_or("mode", kTriangles),
+                     primitive.value_or<std::uint64_t>("mode", kTriangles),
                      key_of(pose, primitive),
                      is_textured};
   const auto [place, is_new] = colors_.try_emplace(key);
@@ -141,7 +141,7 @@ std::optional<VertexColors> Meshes::make_colors(const Element& attributes, const
 
 desc::MeshPointer Meshes::read(const Element& primitive, const Pose& pose, const Surface& surface,
                                const VertexColors* colors) {
-  const std::uint64_t mode = primitive.whole_or("mode", kTriangles);
+  const std::uint64_t mode = primitive.value_or<std::uint64_t>("mode", kTriangles);
   if (mode > kFan) primitive.at("mode").fail("modes are from 0 to 6, not " + std::to_string(mode));
   if (mode < kTriangles) {
     context_.warnings.add(kNoTriangles, primitive.where(),

@@ -131,7 +131,7 @@ TEST(GltfMeshes, ElementsBeyondTheirBytesAreErrors) {
   EXPECT_TRUE(contains(error_with("byteLength", 61, "bufferViews"), "beyond its buffer"));
   EXPECT_TRUE(contains(error_with("byteStride", 4096, "bufferViews"), "a stride is at most 252"));
   EXPECT_TRUE(contains(error_with("bufferView", 7, "accessors"),
-                       "#/accessors/0/bufferView: this refers to number 7, but there are 1"));
+                       "#/accessors/0/bufferView: refers to number 7, but there are 1"));
   EXPECT_TRUE(contains(error_with("componentType", 5124, "accessors"), "no component type"));
 }
 

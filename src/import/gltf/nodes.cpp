@@ -3,13 +3,14 @@
 #include <ImathQuat.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ajar::gltf {
 namespace {
 
 /// Columns of glTF are the rows of Imath, which multiplies vectors from the left.
-Mat4 matrix_of(const std::vector<double>& numbers) {
+Mat4 matrix_of(const std::array<double, 16>& numbers) {
   Mat4 matrix;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
@@ -27,15 +28,15 @@ Mat4 rotation_of(double x, double y, double z, double w) {
 
 /// Scale, then rotation, then translation (glTF 2.0, section 3.5.3).
 Mat4 local_transform(const Element& node) {
-  if (const auto numbers = node.find_numbers("matrix", 16)) return matrix_of(*numbers);
+  if (const auto numbers = node.find<std::array<double, 16>>("matrix")) return matrix_of(*numbers);
   Mat4 matrix;
-  if (const auto s = node.find_numbers("scale", 3)) {
+  if (const auto s = node.find<std::array<double, 3>>("scale")) {
     matrix.setScale(Vec3d((*s)[0], (*s)[1], (*s)[2]));
   }
-  if (const auto r = node.find_numbers("rotation", 4)) {
+  if (const auto r = node.find<std::array<double, 4>>("rotation")) {
     matrix = matrix * rotation_of((*r)[0], (*r)[1], (*r)[2], (*r)[3]);
   }
-  if (const auto t = node.find_numbers("translation", 3)) {
+  if (const auto t = node.find<std::array<double, 3>>("translation")) {
     matrix[3][0] = (*t)[0];
     matrix[3][1] = (*t)[1];
     matrix[3][2] = (*t)[2];
@@ -44,14 +45,14 @@ Mat4 local_transform(const Element& node) {
 }
 
 bool says_visible(const Element& node) {
-  const std::optional<Element> visibility = node.extension("KHR_node_visibility");
-  return !visibility || visibility->flag_or("visible", true);
+  const std::optional<Element> visibility = extension_of(node, "KHR_node_visibility");
+  return !visibility || visibility->value_or("visible", true);
 }
 
 class Forest {
  public:
   explicit Forest(const Element& root)
-      : root_(root), nodes_(root.elements("nodes")), is_placed_(nodes_.size()) {}
+      : root_(root), nodes_(root.items("nodes")), is_placed_(nodes_.size()) {}
 
   std::vector<PlacedNode> place() {
     for (const std::size_t i : roots()) waiting_.push_back({i, Mat4(), true});
@@ -68,7 +69,7 @@ class Forest {
       const Mat4 to_world = local_transform(nodes_[i]) * parent;
       const bool is_visible = parent_is_visible && says_visible(nodes_[i]);
       placed_.push_back({nodes_[i], to_world, is_visible});
-      const std::vector<Element> children = nodes_[i].elements("children");
+      const std::vector<Element> children = nodes_[i].items("children");
       for (auto child = children.rbegin(); child != children.rend(); ++child) {
         waiting_.push_back({child->index(nodes_.size()), to_world, is_visible});
       }
@@ -80,17 +81,17 @@ class Forest {
   /// Roots of the scene that is shown; without scenes, all nodes without a parent.
   std::vector<std::size_t> roots() const {
     std::vector<std::size_t> roots;
-    const std::vector<Element> scenes = root_.elements("scenes");
+    const std::vector<Element> scenes = root_.items("scenes");
     if (!scenes.empty()) {
       const std::size_t shown = root_.find_index("scene", scenes.size()).value_or(0);
-      for (const Element& node : scenes[shown].elements("nodes")) {
+      for (const Element& node : scenes[shown].items("nodes")) {
         roots.push_back(node.index(nodes_.size()));
       }
       return roots;
     }
     std::vector<bool> is_child(nodes_.size());
     for (const Element& node : nodes_) {
-      for (const Element& child : node.elements("children")) {
+      for (const Element& child : node.items("children")) {
         is_child[child.index(nodes_.size())] = true;
       }
     }
@@ -117,7 +118,7 @@ class Forest {
 std::vector<PlacedNode> place_nodes(const Element& root) { return Forest(root).place(); }
 
 std::vector<Mat4> places_of_mesh(const PlacedNode& placed, Accessors& accessors) {
-  const std::optional<Element> extension = placed.node.extension("EXT_mesh_gpu_instancing");
+  const std::optional<Element> extension = extension_of(placed.node, "EXT_mesh_gpu_instancing");
   if (!extension) return {placed.to_world};
   const Element attributes = extension->at("attributes");
   std::vector<Mat4> places;

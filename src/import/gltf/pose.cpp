@@ -55,14 +55,14 @@ void add_displacements(const Element& target, const char* attribute, double weig
 
 void morph(const std::vector<double>& weights, const Element& primitive, Context& context,
            Accessors& accessors, desc::Mesh& mesh) {
-  const std::vector<Element> targets = primitive.elements("targets");
+  const std::vector<Element> targets = primitive.items("targets");
   for (std::size_t t = 0; t < std::min(weights.size(), targets.size()); ++t) {
     if (weights[t] == 0.0) continue;
     const Element& target = targets[t];
     add_displacements(target, "POSITION", weights[t], accessors, mesh.positions);
     add_displacements(target, "NORMAL", weights[t], accessors, mesh.normals);
     add_displacements(target, "TANGENT", weights[t], accessors, mesh.tangents);
-    for (const std::string& name : target.names()) {
+    for (const auto& [name, key, value] : target.members()) {
       if (!name.starts_with("TEXCOORD_") && !name.starts_with("COLOR_")) continue;
       context.warnings.add(kMorphs, target.where(),
                            "this target changes colours or texture coordinates, which is ignored");
@@ -131,7 +131,7 @@ Pose Poses::of(const PlacedNode& placed, const Element& mesh) {
   pose.weights = weights_of(has_own ? placed.node : mesh);
   if (pose.weights != nullptr) pose.name = has_own ? placed.node.pointer() : "/weights";
   if (const std::optional<Element> reference = placed.node.find("skin")) {
-    const Element skin = reference->referred(context_.document.root(), "skins");
+    const Element skin = referred(*reference, context_.document.root, "skins");
     pose.joints = joints_of(skin);
     if (pose.joints != nullptr) pose.name += skin.pointer();
   }
@@ -142,7 +142,7 @@ const std::vector<double>* Poses::weights_of(const Element& holder) {
   const auto [place, is_new] = weights_.try_emplace(holder.pointer());
   std::vector<double>& weights = place->second;
   if (is_new) {
-    for (const Element& weight : holder.elements("weights")) weights.push_back(weight.number());
+    for (const Element& weight : holder.items("weights")) weights.push_back(weight.number());
     if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0.0; })) {
       weights.clear();
     }
@@ -157,8 +157,8 @@ const std::vector<Mat4>* Poses::joints_of(const Element& skin) {
 }
 
 std::vector<Mat4> Poses::read_joints(const Element& skin) {
-  const Element root = context_.document.root();
-  const std::vector<Element> joints = skin.elements("joints");
+  const Element root = context_.document.root;
+  const std::vector<Element> joints = skin.items("joints");
   std::vector<Mat4> inverse_binds(joints.size());
   if (const std::optional<Element> reference = skin.find("inverseBindMatrices")) {
     const std::vector<Imath::M44f> read = accessors_.read_matrices(accessors_.index_of(*reference));
@@ -170,7 +170,7 @@ std::vector<Mat4> Poses::read_joints(const Element& skin) {
   }
   std::vector<Mat4> transforms;
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    const auto place = places_.find(joints[i].referred(root, "nodes").pointer());
+    const auto place = places_.find(referred(joints[i], root, "nodes").pointer());
     if (place == places_.end()) {
       context_.warnings.add(kUnbound, joints[i].where(),
                             "this joint is not in the scene: meshes of this skin are shown as they "

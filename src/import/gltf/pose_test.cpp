@@ -132,7 +132,7 @@ TEST(GltfPoses, DamagedSkinsAreErrors) {
   EXPECT_TRUE(contains(error_of(file.text()),
                        "#/skins/0/inverseBindMatrices: there are 2 matrices for 3 joints"));
   file.json["nodes"][0]["skin"] = 4;
-  EXPECT_TRUE(contains(error_of(file.text()), "#/nodes/0/skin: this refers to number 4"));
+  EXPECT_TRUE(contains(error_of(file.text()), "#/nodes/0/skin: refers to number 4"));
 }
 
 }  // namespace

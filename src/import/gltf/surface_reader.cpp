@@ -54,12 +54,12 @@ constexpr Layer kDiffuseTransmissionLayer{
 bool is_some(const Element& holder, std::string_view name) {
   const std::optional<Element> member = holder.find(name);
   if (!member) return false;
-  if (!member->is_array()) return member->number() != 0.0;
-  return holder.vector_or(name, Vec3(0.F)) != Vec3(0.F);
+  if (!member->is(Element::Kind::Array)) return member->number() != 0.0;
+  return holder.value_or(name, Vec3(0.F)) != Vec3(0.F);
 }
 
 void warn_of_layer(const Element& material, const Layer& layer, Warnings& warnings) {
-  const auto extension = material.extension(layer.extension);
+  const auto extension = extension_of(material, layer.extension);
   if (!extension || !is_some(*extension, layer.member)) return;
   warnings.add(kNoLayer, extension->where(), std::string(layer.message));
 }
@@ -82,20 +82,17 @@ Surface SurfaceReader::read() {
 }
 
 desc::MaterialId SurfaceReader::read_base() {
-  static const Json kNothing = Json::object();
-  const Element nothing(kNothing, context_.document.origin,
-                        material_.pointer() + "/pbrMetallicRoughness");
-  const Element pbr = material_.find("pbrMetallicRoughness").value_or(nothing);
-  if (material_.extension("KHR_materials_unlit")) {
+  const Element pbr = material_.find("pbrMetallicRoughness").value_or(material_.without_members());
+  if (extension_of(material_, "KHR_materials_unlit")) {
     warn_of_layers();
     return unlit(pbr);
   }
-  if (const auto glossiness = material_.extension("KHR_materials_pbrSpecularGlossiness")) {
+  if (const auto glossiness = extension_of(material_, "KHR_materials_pbrSpecularGlossiness")) {
     warn_of_layers();
     return specular_glossiness(*glossiness);
   }
   const desc::MaterialId opaque = metallic_roughness(pbr);
-  const auto transmission = material_.extension("KHR_materials_transmission");
+  const auto transmission = extension_of(material_, "KHR_materials_transmission");
   if (transmission) return with_transmission(opaque, *transmission, pbr);
   warn_of_volume();
   return opaque;
@@ -105,11 +102,12 @@ desc::MaterialId SurfaceReader::metallic_roughness(const Element& pbr) {
   const desc::Value base_color = read_color(pbr, "baseColorFactor", "baseColorTexture");
   desc::Node node =
       make(pbr, "principled", {{"base_color", base_color}, {"blend", std::string("layered")}});
-  node.set("metallic", textures_.number(pbr, "metallicRoughnessTexture",
-                                        clamped_number(pbr, "metallicFactor", 1.0), Channel::Blue));
+  node.set("metallic",
+           textures_.number(pbr, "metallicRoughnessTexture",
+                            clamped_number(pbr, "metallicFactor", 1.0F), Channel::Blue));
   node.set("roughness",
            textures_.number(pbr, "metallicRoughnessTexture",
-                            clamped_number(pbr, "roughnessFactor", 1.0), Channel::Green));
+                            clamped_number(pbr, "roughnessFactor", 1.0F), Channel::Green));
   material_.located([&] { node.set("eta", index_for_specular()); });
   node.set("specular_strength", specular_strength());
   set_clearcoat(node);
@@ -122,10 +120,10 @@ desc::MaterialId SurfaceReader::specular_glossiness(const Element& pbr) {
   const desc::Value diffuse_color = read_color(pbr, "diffuseFactor", "diffuseTexture");
   const desc::Value rough = textures_.complement(
       textures_.number(pbr, "specularGlossinessTexture",
-                       clamped_number(pbr, "glossinessFactor", 1.0), Channel::Alpha));
+                       clamped_number(pbr, "glossinessFactor", 1.0F), Channel::Alpha));
   const desc::Value specular = textures_.color(
       pbr, "specularGlossinessTexture",
-      clamped_color(pbr, "specularFactor", pbr.vector_or("specularFactor", Vec3(1.F))));
+      clamped_color(pbr, "specularFactor", pbr.value_or("specularFactor", Vec3(1.F))));
   if (specular == desc::Value(Vec3(0.F))) {
     return add(make(pbr, "diffuse", {{"reflectance", diffuse_color}}));
   }
@@ -149,7 +147,7 @@ desc::MaterialId SurfaceReader::with_transmission(desc::MaterialId opaque,
   warn_of_unseen(transmission, "transmissionFactor", "transmissionTexture");
   const desc::Value share =
       textures_.number(transmission, "transmissionTexture",
-                       clamped_number(transmission, "transmissionFactor", 0.0), Channel::Red);
+                       clamped_number(transmission, "transmissionFactor", 0.0F), Channel::Red);
   const desc::Node& base = context_.scene.materials[static_cast<std::size_t>(opaque)].node;
   const desc::Value metallic = base.get("metallic");
   const desc::Value color = base.get("base_color");
@@ -162,8 +160,8 @@ desc::MaterialId SurfaceReader::with_transmission(desc::MaterialId opaque,
   for (const Layer& layer : {kCoatLayer, kSheenLayer}) {
     warn_of_layer(material_, layer, context_.warnings);
   }
-  const auto volume = material_.extension("KHR_materials_volume");
-  const bool is_thin = !volume || !(volume->number_or("thicknessFactor", 0.0) > 0.F);
+  const auto volume = extension_of(material_, "KHR_materials_volume");
+  const bool is_thin = !volume || !(volume->value_or("thicknessFactor", 0.0F) > 0.F);
   if (!is_thin) surface_.inside = read_medium(*volume);
   desc::Node glass = make(pbr, "dielectric", {{"transmittance", color}, {"thin", is_thin}});
   material_.located([&] { glass.set("eta", index_of_refraction()); });
@@ -185,18 +183,19 @@ desc::MaterialId SurfaceReader::with_transmission(desc::MaterialId opaque,
 
 desc::MaterialId SurfaceReader::with_opacity(desc::MaterialId visible) {
   static const std::vector<std::string> kModes = {"OPAQUE", "MASK", "BLEND"};
-  const std::string mode = material_.text_or("alphaMode", "OPAQUE");
+  const std::string mode = material_.value_or<std::string>("alphaMode", "OPAQUE");
   if (mode == "OPAQUE" || alpha_ == desc::Value(1.F)) return visible;
   if (mode == "MASK") {
     surface_.alpha =
-        textures_.threshold(material_, alpha_, material_.number_or("alphaCutoff", 0.5));
+        textures_.threshold(material_, alpha_, material_.value_or("alphaCutoff", 0.5F));
     return visible;
   }
   if (mode != "BLEND") {
     material_.at("alphaMode").fail(unknown_name_message("alphaMode", printable_line(mode), kModes));
   }
   const PartlyClear partly = ajar::with_opacity(
-      context_.scene, {.name = material_.text_or("name", ""), .where = material_.where()}, visible,
+      context_.scene,
+      {.name = material_.value_or("name", std::string()), .where = material_.where()}, visible,
       alpha_);
   surface_.alpha = partly.alpha;
   // A blend includes the emission.
@@ -220,11 +219,11 @@ void SurfaceReader::warn_of_layers() {
 }
 
 void SurfaceReader::warn_of_volume() {
-  const auto volume = material_.extension("KHR_materials_volume");
+  const auto volume = extension_of(material_, "KHR_materials_volume");
   if (!volume || !is_some(*volume, "thicknessFactor") || !volume->has("attenuationDistance")) {
     return;
   }
-  const auto diffuse = material_.extension(kDiffuseTransmissionLayer.extension);
+  const auto diffuse = extension_of(material_, kDiffuseTransmissionLayer.extension);
   if (diffuse && is_some(*diffuse, kDiffuseTransmissionLayer.member)) {
     context_.warnings.add(kNoAbsorption, volume->where(),
                           "a volume is only supported behind KHR_materials_transmission: nothing "
@@ -236,24 +235,24 @@ void SurfaceReader::warn_of_volume() {
 }
 
 void SurfaceReader::set_clearcoat(desc::Node& node) {
-  const auto coat = material_.extension("KHR_materials_clearcoat");
+  const auto coat = extension_of(material_, "KHR_materials_clearcoat");
   if (!coat) return;
   warn_of_unseen(*coat, "clearcoatFactor", "clearcoatTexture");
-  const float strength = clamped_number(*coat, "clearcoatFactor", 0.0);
+  const float strength = clamped_number(*coat, "clearcoatFactor", 0.0F);
   if (strength == 0.F) return;
   node.set("coat", textures_.number(*coat, "clearcoatTexture", strength, Channel::Red));
   node.set(
       "coat_roughness",
       textures_.number(*coat, "clearcoatRoughnessTexture",
-                       clamped_number(*coat, "clearcoatRoughnessFactor", 0.0), Channel::Green));
+                       clamped_number(*coat, "clearcoatRoughnessFactor", 0.0F), Channel::Green));
 }
 
 void SurfaceReader::set_sheen(desc::Node& node) {
-  const auto sheen = material_.extension("KHR_materials_sheen");
+  const auto sheen = extension_of(material_, "KHR_materials_sheen");
   if (!sheen) return;
   warn_of_unseen(*sheen, "sheenColorFactor", "sheenColorTexture");
   const Vec3 color =
-      clamped_color(*sheen, "sheenColorFactor", sheen->vector_or("sheenColorFactor", Vec3(0.F)));
+      clamped_color(*sheen, "sheenColorFactor", sheen->value_or("sheenColorFactor", Vec3(0.F)));
   const float strength = std::max({color.x, color.y, color.z});
   if (strength == 0.F) return;
   context_.warnings.add(kSheen, sheen->where(),
@@ -263,10 +262,10 @@ void SurfaceReader::set_sheen(desc::Node& node) {
 }
 
 void SurfaceReader::set_diffuse_transmission(desc::Node& node) {
-  const auto transmission = material_.extension("KHR_materials_diffuse_transmission");
+  const auto transmission = extension_of(material_, "KHR_materials_diffuse_transmission");
   if (!transmission) return;
   warn_of_unseen(*transmission, "diffuseTransmissionFactor", "diffuseTransmissionTexture");
-  const float share = clamped_number(*transmission, "diffuseTransmissionFactor", 0.0);
+  const float share = clamped_number(*transmission, "diffuseTransmissionFactor", 0.0F);
   if (share == 0.F) return;
   context_.warnings.add(kDiffuseTransmission, transmission->where(),
                         "what shines through has the base colour, and no texture of its own");
@@ -277,8 +276,8 @@ void SurfaceReader::set_diffuse_transmission(desc::Node& node) {
 
 float SurfaceReader::index_of_refraction() const {
   constexpr float kUsual = 1.5F;
-  const auto extension = material_.extension("KHR_materials_ior");
-  const float index = extension ? extension->number_or("ior", kUsual) : kUsual;
+  const auto extension = extension_of(material_, "KHR_materials_ior");
+  const float index = extension ? extension->value_or<float>("ior", kUsual) : kUsual;
   if (index >= 1.F) return index;
   if (index != 0.F) extension->at("ior").fail("an index of refraction is 1 or more");
   context_.warnings.add(kInfiniteIndex, extension->where(),
@@ -288,9 +287,9 @@ float SurfaceReader::index_of_refraction() const {
 
 float SurfaceReader::index_for_specular() {
   const float index = index_of_refraction();
-  const auto specular = material_.extension("KHR_materials_specular");
+  const auto specular = extension_of(material_, "KHR_materials_specular");
   if (!specular) return index;
-  const Vec3 color = specular->vector_or("specularColorFactor", Vec3(1.F));
+  const Vec3 color = specular->value_or("specularColorFactor", Vec3(1.F));
   if (specular->has("specularColorTexture") || color.x != color.y || color.y != color.z) {
     context_.warnings.add(kSpecular, specular->where(),
                           "the hue of the gloss is ignored, on glass its brightness, too");
@@ -302,16 +301,16 @@ float SurfaceReader::index_for_specular() {
 }
 
 desc::Value SurfaceReader::specular_strength() {
-  const auto specular = material_.extension("KHR_materials_specular");
+  const auto specular = extension_of(material_, "KHR_materials_specular");
   if (!specular) return 1.F;
   return textures_.number(*specular, "specularTexture",
-                          clamped_number(*specular, "specularFactor", 1.0), Channel::Alpha);
+                          clamped_number(*specular, "specularFactor", 1.0F), Channel::Alpha);
 }
 
 desc::MediumId SurfaceReader::read_medium(const Element& volume) {
-  const std::optional<double> distance = volume.find_number("attenuationDistance");
+  const std::optional<double> distance = volume.find<double>("attenuationDistance");
   const Vec3 color =
-      clamped_color(volume, "attenuationColor", volume.vector_or("attenuationColor", Vec3(1.F)));
+      clamped_color(volume, "attenuationColor", volume.value_or("attenuationColor", Vec3(1.F)));
   if (!distance || color == Vec3(1.F)) return desc::kNone;
   if (!(*distance > 0.0)) volume.at("attenuationDistance").fail("this distance must be above 0");
   constexpr float kDarkest = 1e-6F;
@@ -333,21 +332,21 @@ void SurfaceReader::warn_of_unseen(const Element& holder, const char* factor, co
 
 void SurfaceReader::read_emission() {
   warn_of_unseen(material_, "emissiveFactor", "emissiveTexture");
-  const auto extension = material_.extension("KHR_materials_emissive_strength");
-  const float strength = extension ? extension->number_or("emissiveStrength", 1.0) : 1.F;
-  const Vec3 scale = material_.vector_or("emissiveFactor", Vec3(0.F)) * strength;
+  const auto extension = extension_of(material_, "KHR_materials_emissive_strength");
+  const float strength = extension ? extension->value_or("emissiveStrength", 1.0F) : 1.F;
+  const Vec3 scale = material_.value_or("emissiveFactor", Vec3(0.F)) * strength;
   if (scale == Vec3(0.F) || surface_.emission) return;
   surface_.emission = desc::Emission{
       material_.where(), material_.located([&] {
         return desc::emission_node(
             "area", {{"radiance", textures_.color(material_, "emissiveTexture", Vec3(1.F))},
                      {"scale", scale},
-                     {"two_sided", material_.flag_or("doubleSided", false)}});
+                     {"two_sided", material_.value_or("doubleSided", false)}});
       })};
 }
 
 void SurfaceReader::read_normals(std::size_t first_made) {
-  const auto coat = material_.extension("KHR_materials_clearcoat");
+  const auto coat = extension_of(material_, "KHR_materials_clearcoat");
   if (coat && coat->has("clearcoatNormalTexture")) {
     context_.warnings.add(kCoatNormals, coat->where(),
                           "the coat has the normals of what it is on: its own are ignored");
@@ -356,7 +355,7 @@ void SurfaceReader::read_normals(std::size_t first_made) {
   if (!texture) return;
   surface_.has_normal_map = true;
   const desc::NormalMap normals{.texture = *texture,
-                                .strength = material_.at("normalTexture").number_or("scale", 1.0)};
+                                .strength = material_.at("normalTexture").value_or("scale", 1.0F)};
   for (std::size_t i = first_made; i < context_.scene.materials.size(); ++i) {
     desc::Material& made = context_.scene.materials[i];
     // A mix has those of its parts.
@@ -366,16 +365,15 @@ void SurfaceReader::read_normals(std::size_t first_made) {
 
 desc::Value SurfaceReader::read_color(const Element& holder, const char* factor,
                                       const char* texture) {
-  const std::vector<double> base =
-      holder.find_numbers(factor, 4).value_or(std::vector<double>(4, 1.0));
-  const desc::Rgb color = clamped_color(holder, factor, Vec3(Vec3d(base[0], base[1], base[2])));
+  const auto base = holder.value_or(factor, std::array<float, 4>{1.F, 1.F, 1.F, 1.F});
+  const desc::Rgb color = clamped_color(holder, factor, Vec3(base[0], base[1], base[2]));
   const desc::Value result = textures_.color(holder, texture, color);
-  alpha_ = textures_.number(holder, texture, static_cast<float>(base[3]), Channel::Alpha);
+  alpha_ = textures_.number(holder, texture, base[3], Channel::Alpha);
   return colors_ == nullptr ? result : textures_.product(result, colors_->value);
 }
 
-float SurfaceReader::clamped_number(const Element& holder, std::string_view name, double fallback) {
-  return clamped_color(holder, name, Vec3(holder.number_or(name, fallback))).x;
+float SurfaceReader::clamped_number(const Element& holder, std::string_view name, float fallback) {
+  return clamped_color(holder, name, Vec3(holder.value_or<float>(name, fallback))).x;
 }
 
 desc::Rgb SurfaceReader::clamped_color(const Element& holder, std::string_view name,
@@ -401,7 +399,7 @@ desc::Value SurfaceReader::mix_amount(const desc::Value& number) const {
 
 desc::MaterialId SurfaceReader::add(desc::Node node) {
   desc::Material& added = context_.scene.materials.emplace_back();
-  added.name = material_.text_or("name", "");
+  added.name = material_.value_or("name", std::string());
   added.where = material_.where();
   added.node = std::move(node);
   return static_cast<desc::MaterialId>(context_.scene.materials.size()) - 1;

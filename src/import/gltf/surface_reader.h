@@ -47,7 +47,7 @@ class SurfaceReader {
   /// say. Their alpha becomes that of the surface.
   desc::Value read_color(const Element& holder, const char* factor, const char* texture);
   /// The member `name`, clamped to [0, 1], with a warning if it was far beyond.
-  float clamped_number(const Element& holder, std::string_view name, double fallback);
+  float clamped_number(const Element& holder, std::string_view name, float fallback);
   /// Clamped `value`, which is that of the member.
   desc::Rgb clamped_color(const Element& holder, std::string_view name, const desc::Rgb& value);
   desc::Value mix_amount(const desc::Value& number) const;

@@ -27,11 +27,10 @@ std::string name_of(Channel channel) {
 /// R = (c s, −s c). With V = 1 − v that is the rotation of an `image`, R = (c −s, s c), and this
 /// offset.
 void set_transform(desc::Node& node, const Element& transform) {
-  const std::vector<double> offset =
-      transform.find_numbers("offset", 2).value_or(std::vector<double>{0.0, 0.0});
-  const std::vector<double> scale =
-      transform.find_numbers("scale", 2).value_or(std::vector<double>{1.0, 1.0});
-  const double angle = transform.find_number("rotation").value_or(0.0);
+  using Pair = std::array<double, 2>;
+  const Pair offset = transform.value_or("offset", Pair{0.0, 0.0});
+  const Pair scale = transform.value_or("scale", Pair{1.0, 1.0});
+  const double angle = transform.value_or("rotation", 0.0);
   const auto set = [&](const char* name, double value) {
     node.set(name, static_cast<float>(value));
   };
@@ -101,7 +100,7 @@ std::optional<desc::TextureId> Textures::read(const Element& holder, std::string
                                               Channel channel, float scale) {
   const std::optional<Element> info = holder.find(name);
   if (!info) return std::nullopt;
-  const Element texture = info->at("index").referred(context_.document.root(), "textures");
+  const Element texture = referred(info->at("index"), context_.document.root, "textures");
   const std::optional<Element> image = image_of(texture);
   if (!image) {
     context_.warnings.add(kNoSource, texture.where(),
@@ -116,7 +115,7 @@ std::optional<desc::TextureId> Textures::read(const Element& holder, std::string
                                                  {"decode_srgb", channel == Channel::Color},
                                                  {"scale", scale}});
   set_sampler(node, texture);
-  if (const auto transform = info->extension("KHR_texture_transform")) {
+  if (const auto transform = extension_of(*info, "KHR_texture_transform")) {
     transform->located([&] { set_transform(node, *transform); });
   }
   where_ = info->where();
@@ -125,9 +124,9 @@ std::optional<desc::TextureId> Textures::read(const Element& holder, std::string
 
 std::optional<Element> Textures::image_of(const Element& texture) const {
   for (const std::optional<Element>& holder :
-       {std::optional(texture), texture.extension("EXT_texture_webp")}) {
+       {std::optional(texture), extension_of(texture, "EXT_texture_webp")}) {
     const std::optional<Element> source = holder ? holder->find("source") : std::nullopt;
-    if (source) return source->referred(context_.document.root(), "images");
+    if (source) return referred(*source, context_.document.root, "images");
   }
   return std::nullopt;
 }
@@ -135,11 +134,12 @@ std::optional<Element> Textures::image_of(const Element& texture) const {
 void Textures::set_sampler(desc::Node& node, const Element& texture) {
   const std::optional<Element> reference = texture.find("sampler");
   if (!reference) return;
-  const Element sampler = reference->referred(context_.document.root(), "samplers");
-  const std::uint64_t s = sampler.whole_or("wrapS", kRepeat);
-  const std::uint64_t t = sampler.whole_or("wrapT", kRepeat);
+  const Element sampler = referred(*reference, context_.document.root, "samplers");
+  const std::uint64_t s = sampler.value_or<std::uint64_t>("wrapS", kRepeat);
+  const std::uint64_t t = sampler.value_or<std::uint64_t>("wrapT", kRepeat);
   if (s == kClamp && t == kClamp) node.set("wrap", std::string("clamp"));
-  if (sampler.whole_or("magFilter", 0) == kNearest) node.set("filter", std::string("nearest"));
+  if (sampler.value_or<std::uint64_t>("magFilter", 0) == kNearest)
+    node.set("filter", std::string("nearest"));
   if (s != t || s == kMirror) {
     context_.warnings.add(kWrap, sampler.where(),
                           "mirrored repetition, and another along u than along v, are not "
@@ -148,9 +148,9 @@ void Textures::set_sampler(desc::Node& node, const Element& texture) {
 }
 
 bool Textures::has_usable_uvs(const Element& info) {
-  const auto transform = info.extension("KHR_texture_transform");
-  std::uint64_t set = info.whole_or("texCoord", 0);
-  if (transform) set = transform->whole_or("texCoord", set);
+  const auto transform = extension_of(info, "KHR_texture_transform");
+  std::uint64_t set = info.value_or<std::uint64_t>("texCoord", 0);
+  if (transform) set = transform->value_or<std::uint64_t>("texCoord", set);
   if (!uv_set_) uv_set_ = static_cast<std::size_t>(set);
   if (set == *uv_set_) return true;
   context_.warnings.add(kOtherUvs, info.where(),

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "import/gltf/element.h"
+#include "import/gltf/document.h"
 
 namespace ajar::gltf {
 
