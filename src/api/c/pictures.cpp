@@ -4,22 +4,7 @@
 using ajar::c::give_text;
 using ajar::c::given;
 using ajar::c::guarded;
-using ajar::c::Json;
 using ajar::c::parsed_object;
-using ajar::c::value_of;
-
-namespace {
-
-/// A member of an object, or what holds without it.
-template <typename T>
-T member(const Json& object, const char* name, T otherwise) {
-  ajar::c::read_member(object, name, [&](const Json& json) {
-    otherwise = value_of<typename ajar::c::ReadAs<T>::Type>(json);
-  });
-  return otherwise;
-}
-
-}  // namespace
 
 int ajar_picture_width(const ajar_picture* picture) {
   int width = 0;
@@ -36,7 +21,7 @@ int ajar_picture_height(const ajar_picture* picture) {
 int ajar_picture_layers(const ajar_picture* picture, char** json) {
   return guarded([&] {
     const ajar::v0::Picture& of = given(picture, "picture").picture;
-    give_text(ajar::c::json_text(Json(of.layers())), json);
+    give_text(ajar::c::json_text(of.layers()), json);
   });
 }
 
@@ -53,16 +38,16 @@ int ajar_picture_pixels(const ajar_picture* picture, const char* layer, int* cha
 int ajar_picture_metadata(const ajar_picture* picture, char** json) {
   return guarded([&] {
     const ajar::v0::Picture& of = given(picture, "picture").picture;
-    give_text(ajar::c::json_text(Json(of.metadata())), json);
+    give_text(ajar::c::json_text(of.metadata()), json);
   });
 }
 
 int ajar_picture_save(const ajar_picture* picture, const char* path, const char* display) {
   return guarded([&] {
-    const Json wish =
+    const ajar::LocatedJson wish =
         parsed_object(display == nullptr ? "{}" : display, "member", {"exposure", "tone_map"});
-    const ajar::v0::Display as{static_cast<float>(member(wish, "exposure", 0.0)),
-                               member(wish, "tone_map", std::string("srgb"))};
+    const ajar::v0::Display as{wish.value_or("exposure", 0.F),
+                               wish.value_or("tone_map", std::string("srgb"))};
     given(picture, "picture").picture.save(&given(path, "path"), as);
   });
 }
@@ -78,13 +63,14 @@ void ajar_picture_free(ajar_picture* picture) { delete picture; }
 
 int ajar_compare(const char* request, char** json) {
   return guarded([&] {
-    const Json wish = parsed_object(&given(request, "request"), "member",
-                                    {"reference", "pictures", "metrics", "pixels_per_degree"});
+    const ajar::LocatedJson wish =
+        parsed_object(&given(request, "request"), "member",
+                      {"reference", "pictures", "metrics", "pixels_per_degree"});
     using Names = std::vector<std::string>;
     given(json, "json");
-    give_text(ajar::v0::compare(member(wish, "reference", std::string()),
-                                member(wish, "pictures", Names()), member(wish, "metrics", Names()),
-                                member(wish, "pixels_per_degree", std::optional<double>())),
+    give_text(ajar::v0::compare(
+                  wish.value_or("reference", std::string()), wish.value_or("pictures", Names()),
+                  wish.value_or("metrics", Names()), wish.find<double>("pixels_per_degree")),
               json);
   });
 }

@@ -52,52 +52,45 @@ RowSource<T> rows_of(const NumberArray& array) {
 
 }  // namespace
 
-int ArrayReader::array_number(const JsonPlace& part, const char* name) const {
-  const Json* number = part.find(name);
-  if (arrays_.empty() && number != nullptr && number->is_number_unsigned()) {
-    part.fail(fmt::format("\"{}\" is array {}, but no arrays are given", name, shown(*number)));
-  }
-  return part.index(name, arrays_.size());
+const NumberArray* ArrayReader::find(const LocatedJson& part, const char* name) const {
+  const auto number = part.find(name);
+  if (!number) return nullptr;
+  if (arrays_.empty()) number->fail("is array " + number->shown() + ", but no arrays are given");
+  return &arrays_[number->index(arrays_.size())];
 }
 
-const NumberArray& ArrayReader::array(const JsonPlace& part, const char* name,
+const NumberArray& ArrayReader::array(const LocatedJson& part, const char* name,
                                       NumberArray::Type type, std::size_t columns) const {
-  const int index = array_number(part, name);
   static const NumberArray kNone{NumberArray::Type::Float32, {0, 0}, nullptr};
-  if (index < 0) return kNone;
-  const NumberArray& array = arrays_[static_cast<std::size_t>(index)];
+  const NumberArray* found = find(part, name);
+  if (found == nullptr) return kNone;
+  const NumberArray& array = *found;
   const std::size_t last = array.shape.size() == 2 ? array.shape[1] : 1;
   const bool fits =
       last == columns && (array.shape.size() == 2 || (columns == 1 && array.shape.size() == 1));
   if (array.type != type || !fits) {
-    part.fail(
-        fmt::format("\"{}\" must be an array of N x {}, not {}", name, columns, shape_text(array)));
+    part.at(name).fail(
+        fmt::format("must be an array of N x {}, not {}", columns, shape_text(array)));
   }
   return array;
 }
 
-desc::MeshPointer ArrayReader::mesh(const Json& json, const JsonPlace& place) const {
+desc::MeshPointer ArrayReader::mesh(const LocatedJson& part) const {
   using enum NumberArray::Type;
-  Json part = json;
-  if (part.is_object() && place.json().contains("where")) part["where"] = place.json()["where"];
-  const JsonPlace mesh_place(part, place.what(),
-                             {"positions", "indices", "normals", "tangents", "uvs"});
+  check_members(part, {"positions", "indices", "normals", "tangents", "uvs"});
   for (const char* needed : {"positions", "indices"}) {
-    if (mesh_place.find(needed) == nullptr) {
-      mesh_place.fail("a mesh needs \"" + std::string(needed) + "\"");
-    }
+    if (!part.has(needed)) part.fail("a mesh needs \"" + std::string(needed) + "\"");
   }
   desc::Mesh mesh;
-  mesh.positions = vectors<Vec3, float>(array(mesh_place, "positions", Float32, 3));
-  mesh.indices =
-      vectors<Imath::Vec3<unsigned>, std::uint32_t>(array(mesh_place, "indices", UInt32, 3));
-  mesh.normals = vectors<Vec3, float>(array(mesh_place, "normals", Float32, 3));
-  mesh.tangents = vectors<Vec3, float>(array(mesh_place, "tangents", Float32, 3));
-  mesh.uvs = vectors<Vec2, float>(array(mesh_place, "uvs", Float32, 2));
+  mesh.positions = vectors<Vec3, float>(array(part, "positions", Float32, 3));
+  mesh.indices = vectors<Imath::Vec3<unsigned>, std::uint32_t>(array(part, "indices", UInt32, 3));
+  mesh.normals = vectors<Vec3, float>(array(part, "normals", Float32, 3));
+  mesh.tangents = vectors<Vec3, float>(array(part, "tangents", Float32, 3));
+  mesh.uvs = vectors<Vec2, float>(array(part, "uvs", Float32, 2));
   const std::size_t vertices = mesh.positions.size();
   const auto check = [&](const char* name, std::size_t count) {
     if (count != 0 && count != vertices) {
-      mesh_place.fail(fmt::format("it has {} positions, but {} {}", vertices, count, name));
+      part.fail(fmt::format("it has {} positions, but {} {}", vertices, count, name));
     }
   };
   check("normals", mesh.normals.size());
@@ -107,18 +100,17 @@ desc::MeshPointer ArrayReader::mesh(const Json& json, const JsonPlace& place) co
     const Imath::Vec3<unsigned>& t = mesh.indices[i];
     const unsigned last = std::max({t.x, t.y, t.z});
     if (last < vertices) continue;
-    mesh_place.fail(
-        fmt::format("\"indices\": triangle {} refers to vertex {} of {}", i, last, vertices));
+    part.fail(fmt::format("\"indices\": triangle {} refers to vertex {} of {}", i, last, vertices));
   }
   std::vector<Warning> remarks;
-  validate_mesh(mesh, mesh_place.where(), remarks);
+  validate_mesh(mesh, part.where(), remarks);
   for (Warning& remark : remarks) warnings_.add(std::move(remark));
   return std::make_shared<const desc::Mesh>(std::move(mesh));
 }
 
-desc::CurvesPointer ArrayReader::curves(const Json& json, const JsonPlace& place) const {
+desc::CurvesPointer ArrayReader::curves(const LocatedJson& part) const {
   using enum NumberArray::Type;
-  const JsonPlace part(json, place.what(), {"control_points", "widths", "normals"});
+  check_members(part, {"control_points", "widths", "normals"});
   desc::Curves curves;
   curves.control_points = vectors<Vec3, float>(array(part, "control_points", Float32, 3));
   const NumberArray& widths = array(part, "widths", Float32, 1);
@@ -128,7 +120,7 @@ desc::CurvesPointer ArrayReader::curves(const Json& json, const JsonPlace& place
   const std::size_t points = curves.control_points.size();
   if (points == 0 || points % 4 != 0 || curves.widths.size() != points ||
       (!curves.normals.empty() && curves.normals.size() != points)) {
-    place.fail(fmt::format(
+    part.fail(fmt::format(
         "curves need four control points for each segment, each with a width (and a normal, if "
         "there are normals), not {} points with {} widths and {} normals",
         points, curves.widths.size(), curves.normals.size()));
@@ -138,24 +130,24 @@ desc::CurvesPointer ArrayReader::curves(const Json& json, const JsonPlace& place
       !std::all_of(curves.normals.begin(), curves.normals.end(), finite) ||
       !std::all_of(curves.widths.begin(), curves.widths.end(),
                    [](float w) { return std::isfinite(w) && w >= 0.F; })) {
-    place.fail("curves must be finite, and their widths not negative");
+    part.fail("curves must be finite, and their widths not negative");
   }
   return std::make_shared<const desc::Curves>(std::move(curves));
 }
 
-std::string ArrayReader::image(const Json& json, const JsonPlace& place) const {
-  const JsonPlace part(json, place.what(), {"image"});
-  const int index = array_number(part, "image");
-  if (index < 0) place.fail("an image needs the number of its array");
-  const NumberArray& array = arrays_[static_cast<std::size_t>(index)];
+std::string ArrayReader::image(const LocatedJson& part) const {
+  check_members(part, {"image"});
+  const NumberArray* found = find(part, "image");
+  if (found == nullptr) part.fail("an image needs the number of its array");
+  const NumberArray& array = *found;
   constexpr std::size_t kMostSide = std::size_t{1} << 20U;
   const std::vector<std::size_t>& shape = array.shape;
   const bool fits =
       (shape.size() == 2 || (shape.size() == 3 && (shape[2] == 1 || shape[2] == 3))) &&
       shape[0] >= 1 && shape[0] <= kMostSide && shape[1] >= 1 && shape[1] <= kMostSide;
   if (!fits || array.type == NumberArray::Type::UInt32) {
-    place.fail("an image is an array of rows x columns, or rows x columns x 3, not " +
-               shape_text(array));
+    part.fail("an image is an array of rows x columns, or rows x columns x 3, not " +
+              shape_text(array));
   }
   ImageLayout layout;
   layout.height = static_cast<int>(shape[0]);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/warnings.h"
-#include "import/code/json_place.h"
+#include "import/code/description.h"
 #include "import/code/scene_changes.h"
 
 /// Arrays of a description: geometry and images.
@@ -18,17 +18,17 @@ class ArrayReader {
 
   /// {"positions": 0, "indices": 1, "normals": 2, "tangents": 3, "uvs": 4}: numbers of arrays, the
   /// first two needed. Raises SceneError as `validate_mesh` does.
-  desc::MeshPointer mesh(const Json& json, const JsonPlace& place) const;
+  desc::MeshPointer mesh(const LocatedJson& part) const;
   /// {"control_points": 0, "widths": 1, "normals": 2}.
-  desc::CurvesPointer curves(const Json& json, const JsonPlace& place) const;
+  desc::CurvesPointer curves(const LocatedJson& part) const;
   /// {"image": 0}: rows × columns × 1 or 3, of display-encoded bytes or linear floats. The name of
   /// an embedded file, which depends on its content alone.
-  std::string image(const Json& json, const JsonPlace& place) const;
+  std::string image(const LocatedJson& part) const;
 
  private:
-  /// Index of the array in a member; -1 without the member.
-  int array_number(const JsonPlace& part, const char* name) const;
-  const NumberArray& array(const JsonPlace& part, const char* name, NumberArray::Type type,
+  /// The array in a member; null without the member.
+  const NumberArray* find(const LocatedJson& part, const char* name) const;
+  const NumberArray& array(const LocatedJson& part, const char* name, NumberArray::Type type,
                            std::size_t columns) const;
 
   std::span<const NumberArray> arrays_;

@@ -1,14 +1,17 @@
 #include "import/code/node_values.h"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
 
 #include "core/number_text.h"
-#include "import/common/transforms.h"
 
 namespace ajar::code {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+using Kind = LocatedJson::Kind;
 
 /// Values allowed for a parameter, for messages.
 std::string wanted(const ParameterSpec& spec) {
@@ -45,70 +48,55 @@ std::string wanted(const ParameterSpec& spec) {
 /// Reads the values of one node.
 class ValueReader {
  public:
-  ValueReader(const JsonPlace& place, const ArrayReader& arrays, const References& references)
-      : place_(place), arrays_(arrays), references_(references) {}
+  ValueReader(const ArrayReader& arrays, const References& references)
+      : arrays_(arrays), references_(references) {}
 
-  desc::Value read(const ParameterSpec& spec, const Json& json) const {
-    if (json.is_null()) return desc::default_value(spec);
-    if (json.is_object() && json.contains("texture")) {
-      if (!spec.textured) fail(spec, json);
-      return desc::TextureRef{references_.texture(json["texture"], place_)};
+  desc::Value read(const ParameterSpec& spec, const LocatedJson& json) const {
+    const bool is_object = json.is(Kind::Object);
+    if (json.is(Kind::Null)) return desc::default_value(spec);
+    if (is_object && json.has("texture") && spec.textured) {
+      return desc::TextureRef{references_.texture(json.at("texture"))};
     }
     switch (spec.type) {
       case ParameterType::Bool:
-        if (json.is_boolean()) return json.get<bool>();
-        break;
+        return json.flag();
       case ParameterType::Int:
-        if (is_int(json)) return json.get<int>();
-        break;
+        return json.as<int>();
       case ParameterType::Float:
-        if (json.is_number()) return json.get<float>();
+        if (json.is(Kind::Number)) return json.as<float>();
         break;
       case ParameterType::Color:
-        if (json.is_number()) return Vec3(json.get<float>());
+        if (json.is(Kind::Number)) return Vec3(json.as<float>());
         [[fallthrough]];
       case ParameterType::Vector:
       case ParameterType::Point:
-        if (is_triple(json)) return Vec3(json[0], json[1], json[2]);
+        if (json.is(Kind::Array) && json.size() == 3) return json.as<Vec3>();
         break;
       case ParameterType::Transform:
-        return std::make_shared<const Mat4>(read_transform(json, place_, spec.name.c_str()));
+        return std::make_shared<const Mat4>(read_transform(json));
       case ParameterType::File:
-        if (json.is_object()) return arrays_.image(json, place_);
+        if (is_object) return arrays_.image(json);
         [[fallthrough]];
       case ParameterType::Text:
       case ParameterType::Choice:
-        if (json.is_string()) return json.get<std::string>();
+        if (json.is(Kind::Text)) return json.text();
         break;
       case ParameterType::Material:
-        if (json.is_object() && json.contains("material")) {
-          return desc::MaterialRef{references_.material(json["material"], place_)};
+        if (is_object && json.has("material")) {
+          return desc::MaterialRef{references_.material(json.at("material"))};
         }
         break;
       case ParameterType::Mesh:
-        if (json.is_object()) return arrays_.mesh(json, place_);
+        if (is_object) return arrays_.mesh(json);
         break;
       case ParameterType::Curves:
-        if (json.is_object()) return arrays_.curves(json, place_);
+        if (is_object) return arrays_.curves(json);
         break;
     }
-    fail(spec, json);
+    json.fail_type(wanted(spec));
   }
 
  private:
-  static bool is_int(const Json& json) {
-    return json.is_number_integer() &&
-           std::abs(json.get<double>()) <= std::numeric_limits<int>::max();
-  }
-  static bool is_triple(const Json& json) {
-    return json.is_array() && json.size() == 3 && json[0].is_number() && json[1].is_number() &&
-           json[2].is_number();
-  }
-  [[noreturn]] void fail(const ParameterSpec& spec, const Json& json) const {
-    place_.fail("\"" + spec.name + "\" must be " + wanted(spec) + ", not " + shown(json));
-  }
-
-  const JsonPlace& place_;
   const ArrayReader& arrays_;
   const References& references_;
 };
@@ -153,61 +141,43 @@ const char* name_of(desc::ModelKind kind) {
   return "";
 }
 
-desc::Node read_node(desc::ModelKind kind, const JsonPlace& place, const ArrayReader& arrays,
+desc::Node read_node(desc::ModelKind kind, const LocatedJson& json, const ArrayReader& arrays,
                      const References& references) {
-  const std::string name = place.text("model");
+  const std::string name = json.value_or("model", std::string());
   const desc::Model* model = desc::find_model(kind, name);
   if (model == nullptr) {
     std::vector<std::string> names;
     for (const desc::Model* known : desc::models(kind)) names.push_back(known->name);
-    place.fail(unknown_name_message(name_of(kind), name, names));
+    json.fail(unknown_name_message(name_of(kind), name, names));
   }
   desc::Node node(*model);
-  set_parameters(kind, node, place, arrays, references);
+  set_parameters(kind, node, json, arrays, references);
   return node;
 }
 
-void set_parameters(desc::ModelKind kind, desc::Node& node, const JsonPlace& place,
+void set_parameters(desc::ModelKind kind, desc::Node& node, const LocatedJson& json,
                     const ArrayReader& arrays, const References& references) {
-  const Json* parameters = place.find("parameters");
-  if (parameters == nullptr) return;
-  if (!parameters->is_object()) place.fail("\"parameters\" must be an object");
-  const ValueReader reader(place, arrays, references);
-  for (const auto& [name, json] : parameters->items()) {
-    const ParameterSpec* spec = nullptr;
-    std::vector<std::string> names;
-    for (const ParameterSpec& known : node.model().parameters) {
-      if (known.name == name) spec = &known;
-      names.push_back(known.name);
-    }
-    if (spec == nullptr) {
-      place.fail(unknown_name_message(
-          "parameter of the " + std::string(name_of(kind)) + " \"" + node.model().name + "\"", name,
-          names));
-    }
-    desc::Value value = reader.read(*spec, json);
-    if (const auto reason = desc::complaint(*spec, value)) {
-      place.fail("\"" + name + "\" " + *reason);
-    }
+  const auto parameters = json.find("parameters");
+  if (!parameters) return;
+  std::vector<std::string> names;
+  for (const ParameterSpec& known : node.model().parameters) names.push_back(known.name);
+  parameters->check_members(
+      "parameter of the " + std::string(name_of(kind)) + " \"" + node.model().name + "\"", names);
+  const ValueReader reader(arrays, references);
+  for (const auto& [name, key, given] : parameters->members()) {
+    const auto place = std::find(names.begin(), names.end(), name) - names.begin();
+    const ParameterSpec& spec = node.model().parameters[static_cast<std::size_t>(place)];
+    desc::Value value = reader.read(spec, given);
+    if (const auto reason = desc::complaint(spec, value)) given.fail(*reason);
     node.set(name, std::move(value));
   }
 }
 
-Mat4 read_transform(const Json& json, const JsonPlace& place, const char* name) {
-  const auto fail = [&] {
-    place.fail("\"" + std::string(name) + "\" must be a matrix of 4 x 4 finite numbers, not " +
-               shown(json));
-  };
-  if (!json.is_array() || json.size() != 16) fail();
+Mat4 read_transform(const LocatedJson& json) {
+  if (!json.is(Kind::Array) || json.size() != 16) json.fail_type("a matrix of 4 x 4 numbers");
+  const auto numbers = json.as<std::array<double, 16>>();
   Mat4 matrix;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      const Json& number = json[static_cast<std::size_t>(4 * row + column)];
-      if (!number.is_number()) fail();
-      matrix[column][row] = number.get<double>();
-    }
-  }
-  if (!is_finite(matrix)) fail();
+  for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = numbers[static_cast<std::size_t>(i)];
   return matrix;
 }
 

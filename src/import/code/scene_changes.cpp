@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "import/code/node_values.h"
@@ -14,8 +15,7 @@ namespace ajar {
 
 namespace {
 
-using code::Json;
-using code::JsonPlace;
+using Json = nlohmann::ordered_json;
 using desc::ModelKind;
 
 /// Carries the changes out, part by part; additions come after existing parts.
@@ -27,300 +27,253 @@ class Changer {
         first_texture_(scene.textures.size()),
         first_material_(scene.materials.size()),
         first_medium_(scene.media.size()) {
-    references_.texture = [this](const Json& which, const JsonPlace& place) {
-      return find(which, place, scene_.textures, first_texture_, "texture");
+    references_.texture = [this](const LocatedJson& which) {
+      return find(which, scene_.textures, first_texture_, "texture");
     };
-    references_.material = [this](const Json& which, const JsonPlace& place) {
-      return find(which, place, scene_.materials, first_material_, "material");
+    references_.material = [this](const LocatedJson& which) {
+      return find(which, scene_.materials, first_material_, "material");
     };
   }
 
-  void change(const JsonPlace& changes) {
-    scene_.source = changes.text("source", scene_.source);
-    if (const Json* film = changes.find("film")) set_film({*film, "film", {"resolution"}});
-    each(changes, "media",
-         [&](const Json& json, const std::string& what) { add_medium(json, what); });
-    each(changes, "textures",
-         [&](const Json& json, const std::string& what) { add_texture(json, what); });
-    each(changes, "materials",
-         [&](const Json& json, const std::string& what) { add_material(json, what); });
-    each(changes, "shapes",
-         [&](const Json& json, const std::string& what) { add_shape(json, what); });
-    each(changes, "lights",
-         [&](const Json& json, const std::string& what) { add_light(json, what); });
-    if (const Json* camera = changes.find("camera")) set_camera(*camera);
-    each(changes, "edits", [&](const Json& json, const std::string& what) { edit(json, what); });
+  void change(const LocatedJson& changes) {
+    code::check_members(changes, {"source", "film", "camera", "media", "textures", "materials",
+                                  "shapes", "lights", "edits"});
+    scene_.source = changes.value_or("source", scene_.source);
+    if (const auto film = changes.find("film")) set_film(*film);
+    for (const LocatedJson& json : changes.items("media")) add_medium(json);
+    for (const LocatedJson& json : changes.items("textures")) add_texture(json);
+    for (const LocatedJson& json : changes.items("materials")) add_material(json);
+    for (const LocatedJson& json : changes.items("shapes")) add_shape(json);
+    for (const LocatedJson& json : changes.items("lights")) add_light(json);
+    if (const auto camera = changes.find("camera")) set_camera(*camera);
+    for (const LocatedJson& json : changes.items("edits")) edit(json);
   }
 
  private:
-  /// "material" or, if it has a name, `material "glass"`.
-  static std::string title(const Json& json, const std::string& what) {
-    const auto name = json.is_object() ? json.find("name") : json.end();
-    const bool is_named = json.is_object() && name != json.end() && name->is_string() &&
-                          !name->get<std::string>().empty();
-    return is_named ? what + " \"" + name->get<std::string>() + "\"" : what;
-  }
-
-  template <typename Add>
-  static void each(const JsonPlace& changes, const char* name, Add add) {
-    const Json* list = changes.find(name);
-    if (list == nullptr) return;
-    if (!list->is_array()) changes.fail("\"" + std::string(name) + "\" must be a list");
-    std::string what = name;
-    if (what == "media") what = "medium";
-    if (what.ends_with('s')) what.pop_back();
-    for (const Json& json : *list) add(json, title(json, what));
-  }
-
   /// A number counts from `first`, a name is one of all; of several, the last.
   template <typename Things>
-  static int find(const Json& which, const JsonPlace& place, const Things& things,
-                  std::size_t first, const char* what) {
-    if (which.is_string()) {
+  static int find(const LocatedJson& which, const Things& things, std::size_t first,
+                  const char* what) {
+    if (which.is(LocatedJson::Kind::Text)) {
       std::vector<std::string> names;
       for (const auto& thing : things) names.push_back(thing.name);
-      const std::string name = which.get<std::string>();
+      const std::string name = which.text();
       const auto found = std::find(names.rbegin(), names.rend(), name);
       if (found != names.rend() && !name.empty()) {
         return static_cast<int>(names.rend() - found) - 1;
       }
       std::erase(names, "");
-      place.fail(unknown_name_message(what, name, names));
+      which.fail(unknown_name_message(what, name, names));
     }
-    const std::size_t count = things.size() - first;
-    if (which.is_number_integer() && which.get<std::int64_t>() >= 0 &&
-        which.get<std::uint64_t>() < count) {
-      return static_cast<int>(first) + which.get<int>();
-    }
-    place.fail(fmt::format("there is no {} {}: it must come before what refers to it", what,
-                           code::shown(which)));
+    const auto number = which.as<std::size_t>();
+    if (number < things.size() - first) return static_cast<int>(first + number);
+    which.fail(
+        fmt::format("there is no {} {}: it must come before what refers to it", what, number));
   }
 
-  int reference(const JsonPlace& place, const char* member,
-                const std::function<int(const Json&, const JsonPlace&)>& find_it) const {
-    const Json* which = place.find(member);
-    return which == nullptr ? desc::kNone : find_it(*which, place);
+  static int reference(const LocatedJson& json, const char* member,
+                       const std::function<int(const LocatedJson&)>& find_it) {
+    const auto which = json.find(member);
+    return which ? find_it(*which) : desc::kNone;
   }
-  int medium(const JsonPlace& place, const char* member) const {
-    return reference(place, member, [this](const Json& which, const JsonPlace& at) {
-      return find(which, at, scene_.media, first_medium_, "medium");
+  int medium(const LocatedJson& json, const char* member) const {
+    return reference(json, member, [this](const LocatedJson& which) {
+      return find(which, scene_.media, first_medium_, "medium");
     });
   }
 
-  static Mat4 transform(const JsonPlace& place) {
-    const Json* json = place.find("to_world");
-    return json == nullptr ? Mat4() : code::read_transform(*json, place, "to_world");
+  static Mat4 transform(const LocatedJson& json) {
+    const auto matrix = json.find("to_world");
+    return matrix ? code::read_transform(*matrix) : Mat4();
   }
 
-  static Vec3 triple(const JsonPlace& place, const char* name) {
-    const Json* json = place.find(name);
-    if (json == nullptr) return Vec3(0.F);
-    const bool fits = json->is_array() && json->size() == 3 &&
-                      std::all_of(json->begin(), json->end(), [](const Json& number) {
-                        return number.is_number() && number.get<float>() >= 0.F &&
-                               std::isfinite(number.get<float>());
-                      });
-    if (!fits) {
-      place.fail("\"" + std::string(name) + "\" must be three numbers from 0 on, not " +
-                 code::shown(*json));
+  static Vec3 triple(const LocatedJson& json, const char* name) {
+    const Vec3 value = json.value_or(name, Vec3(0.F));
+    if (!(std::min({value.x, value.y, value.z}) >= 0.F)) {
+      json.at(name).fail_type("three numbers from 0 on");
     }
-    return {(*json)[0], (*json)[1], (*json)[2]};
+    return value;
   }
 
-  void set_film(const JsonPlace& place) {
-    const Json* size = place.find("resolution");
-    if (size == nullptr) return;
+  void set_film(const LocatedJson& json) {
+    code::check_members(json, {"resolution"});
+    const auto size = json.find("resolution");
+    if (!size) return;
     constexpr int kMost = 65536;
-    const auto is_side = [](const Json& side) {
-      return side.is_number_integer() && side.get<std::int64_t>() >= 1 &&
-             side.get<std::int64_t>() <= kMost;
-    };
-    if (!size->is_array() || size->size() != 2 || !is_side((*size)[0]) || !is_side((*size)[1])) {
-      place.fail("\"resolution\" must be width and height, each from 1 to 65536, not " +
-                 code::shown(*size));
+    const auto sides = size->as<std::array<int, 2>>();
+    if (std::min(sides[0], sides[1]) < 1 || std::max(sides[0], sides[1]) > kMost) {
+      size->fail_type("width and height, each from 1 to 65536");
     }
-    scene_.film.resolution = {(*size)[0].get<int>(), (*size)[1].get<int>()};
+    scene_.film.resolution = {sides[0], sides[1]};
   }
 
-  void add_medium(const Json& json, const std::string& what) {
-    const JsonPlace place(json, what, {"name", "sigma_a", "sigma_s", "g"});
-    desc::Medium medium{place.text("name"), place.where()};
-    medium.sigma_a = triple(place, "sigma_a");
-    medium.sigma_s = triple(place, "sigma_s");
-    const double g = place.number("g", 0.0);
-    if (!(g > -1.0 && g < 1.0)) place.fail("\"g\" must be between -1 and 1");
-    medium.g = static_cast<float>(g);
+  void add_medium(const LocatedJson& json) {
+    code::check_members(json, {"name", "sigma_a", "sigma_s", "g"});
+    desc::Medium medium{json.value_or("name", std::string()), json.where()};
+    medium.sigma_a = triple(json, "sigma_a");
+    medium.sigma_s = triple(json, "sigma_s");
+    medium.g = json.value_or("g", 0.F);
+    if (!(medium.g > -1.F && medium.g < 1.F)) json.at("g").fail_type("between -1 and 1");
     scene_.media.push_back(std::move(medium));
   }
 
-  void add_texture(const Json& json, const std::string& what) {
-    const JsonPlace place(json, what, {"name", "model", "parameters"});
-    desc::Texture texture{place.text("name"), place.where(),
-                          code::read_node(ModelKind::Texture, place, arrays_, references_)};
+  void add_texture(const LocatedJson& json) {
+    code::check_members(json, {"name", "model", "parameters"});
+    desc::Texture texture{json.value_or("name", std::string()), json.where(),
+                          code::read_node(ModelKind::Texture, json, arrays_, references_)};
     scene_.textures.push_back(std::move(texture));
   }
 
-  void add_material(const Json& json, const std::string& what) {
-    const JsonPlace place(json, what, {"name", "model", "parameters", "bump", "normal_map"});
+  void add_material(const LocatedJson& json) {
+    code::check_members(json, {"name", "model", "parameters", "bump", "normal_map"});
     desc::Material material;
-    material.name = place.text("name");
-    material.where = place.where();
-    material.bump = reference(place, "bump", references_.texture);
-    material.normal_map.texture = reference(place, "normal_map", references_.texture);
-    material.node = code::read_node(ModelKind::Material, place, arrays_, references_);
+    material.name = json.value_or("name", std::string());
+    material.where = json.where();
+    material.bump = reference(json, "bump", references_.texture);
+    material.normal_map.texture = reference(json, "normal_map", references_.texture);
+    material.node = code::read_node(ModelKind::Material, json, arrays_, references_);
     scene_.materials.push_back(std::move(material));
   }
 
-  void add_shape(const Json& json, const std::string& what) {
-    const JsonPlace place(json, what,
-                          {"name", "model", "parameters", "to_world", "reverse_orientation",
-                           "material", "alpha", "shadow_alpha", "emission", "inside", "outside"});
+  void add_shape(const LocatedJson& json) {
+    code::check_members(
+        json, {"name", "model", "parameters", "to_world", "reverse_orientation", "material",
+               "alpha", "shadow_alpha", "emission", "inside", "outside"});
     desc::Shape shape;
-    shape.where = place.where();
-    shape.name = place.text("name");
-    shape.node = code::read_node(ModelKind::Shape, place, arrays_, references_);
-    check_geometry(shape.node, place);
-    shape.to_world = transform(place);
-    shape.reverse_orientation = place.flag("reverse_orientation", false);
-    shape.material = reference(place, "material", references_.material);
-    shape.alpha = reference(place, "alpha", references_.texture);
-    shape.shadow_alpha = reference(place, "shadow_alpha", references_.texture);
-    if (const Json* emission = place.find("emission")) {
-      const JsonPlace of(*emission, "emission", {"model", "parameters"});
-      shape.emission.emplace(desc::Emission{
-          of.where(), code::read_node(ModelKind::Emission, of, arrays_, references_)});
+    shape.where = json.where();
+    shape.name = json.value_or("name", std::string());
+    shape.node = code::read_node(ModelKind::Shape, json, arrays_, references_);
+    check_geometry(shape.node, json);
+    shape.to_world = transform(json);
+    shape.reverse_orientation = json.value_or("reverse_orientation", false);
+    shape.material = reference(json, "material", references_.material);
+    shape.alpha = reference(json, "alpha", references_.texture);
+    shape.shadow_alpha = reference(json, "shadow_alpha", references_.texture);
+    if (const auto emission = json.find("emission")) {
+      code::check_members(*emission, {"model", "parameters"});
+      shape.emission.emplace(
+          desc::Emission{emission->where(),
+                         code::read_node(ModelKind::Emission, *emission, arrays_, references_)});
     }
-    shape.has_medium_interface =
-        place.find("inside") != nullptr || place.find("outside") != nullptr;
-    shape.inside = medium(place, "inside");
-    shape.outside = medium(place, "outside");
+    shape.has_medium_interface = json.has("inside") || json.has("outside");
+    shape.inside = medium(json, "inside");
+    shape.outside = medium(json, "outside");
     scene_.shapes.push_back(std::move(shape));
   }
 
   /// A mesh or curves have no default.
-  static void check_geometry(const desc::Node& node, const JsonPlace& place) {
+  static void check_geometry(const desc::Node& node, const LocatedJson& json) {
     for (std::size_t i = 0; i < node.values().size(); ++i) {
       const desc::Value& value = node.values()[i];
       const auto* mesh = std::get_if<desc::MeshPointer>(&value);
       const auto* curves = std::get_if<desc::CurvesPointer>(&value);
       if ((mesh != nullptr && *mesh == nullptr) || (curves != nullptr && *curves == nullptr)) {
-        place.fail("it needs \"" + node.model().parameters[i].name + "\"");
+        json.fail("it needs \"" + node.model().parameters[i].name + "\"");
       }
     }
   }
 
-  void add_light(const Json& json, const std::string& what) {
-    const JsonPlace place(json, what, {"name", "model", "parameters", "to_world", "medium"});
-    desc::Light light{place.where(), transform(place),
-                      code::read_node(ModelKind::Light, place, arrays_, references_),
-                      medium(place, "medium")};
+  void add_light(const LocatedJson& json) {
+    code::check_members(json, {"name", "model", "parameters", "to_world", "medium"});
+    desc::Light light{json.where(), transform(json),
+                      code::read_node(ModelKind::Light, json, arrays_, references_),
+                      medium(json, "medium")};
     scene_.lights.push_back(std::move(light));
   }
 
-  void set_camera(const Json& json) {
-    const JsonPlace place(
-        json, "camera",
-        {"model", "to_world", "fov", "lens_radius", "focal_distance", "half_height", "medium"});
+  void set_camera(const LocatedJson& json) {
+    code::check_members(json, {"model", "to_world", "fov", "lens_radius", "focal_distance",
+                               "half_height", "medium"});
     const std::vector<std::string> models = {"perspective", "orthographic", "environment"};
-    const std::string model = place.text("model", models[0]);
+    const std::string model = json.value_or("model", models[0]);
     desc::Camera& camera = scene_.camera;
-    camera.where = place.where();
-    camera.to_world = transform(place);
-    camera.medium = medium(place, "medium");
-    if (!inverse(camera.to_world)) place.fail("its transform cannot be inverted");
-    const auto positive = [&](const char* name, double otherwise) {
-      const double value = place.number(name, otherwise);
-      const auto used = static_cast<float>(value);
-      if (!(used > 0.F)) place.fail(fmt::format("\"{}\" must be above 0, not {}", name, value));
-      if (!std::isfinite(used)) place.fail(fmt::format("\"{}\" is too large: {}", name, value));
-      return used;
+    camera.where = json.where();
+    camera.to_world = transform(json);
+    camera.medium = medium(json, "medium");
+    if (!inverse(camera.to_world)) json.fail("its transform cannot be inverted");
+    const auto positive = [&](const char* name, float otherwise) {
+      const float value = json.value_or(name, otherwise);
+      if (!(value > 0.F)) json.at(name).fail_type("above 0");
+      return value;
     };
-    const double lens = place.number("lens_radius", 0.0);
-    if (lens < 0.0) place.fail(fmt::format("\"lens_radius\" must be at least 0, not {}", lens));
-    if (!std::isfinite(static_cast<float>(lens))) {
-      place.fail(fmt::format("\"lens_radius\" is too large: {}", lens));
-    }
-    const float focus = positive("focal_distance", 1e6);
+    const float lens = json.value_or("lens_radius", 0.F);
+    if (lens < 0.F) json.at("lens_radius").fail_type("at least 0");
+    const float focus = positive("focal_distance", 1e6F);
     if (model == models[0]) {
-      const float fov = positive("fov", 90.0);
-      if (!(fov < 180.F)) place.fail(fmt::format("\"fov\" must be below 180 degrees, not {}", fov));
-      camera.node = desc::PerspectiveCamera{fov, static_cast<float>(lens), focus, {}, {}};
+      const float fov = positive("fov", 90.F);
+      if (!(fov < 180.F)) json.at("fov").fail_type("below 180 degrees");
+      camera.node = desc::PerspectiveCamera{fov, lens, focus, {}, {}};
     } else if (model == models[1]) {
-      const float half = positive("half_height", 1.0);
+      const float half = positive("half_height", 1.F);
       const float aspect = static_cast<float>(scene_.film.resolution.x) /
                            static_cast<float>(scene_.film.resolution.y);
-      camera.node =
-          desc::OrthographicCamera{static_cast<float>(lens),
-                                   focus,
-                                   desc::ScreenWindow{-half * aspect, half * aspect, -half, half},
-                                   {}};
+      camera.node = desc::OrthographicCamera{
+          lens, focus, desc::ScreenWindow{-half * aspect, half * aspect, -half, half}, {}};
     } else if (model == models[2]) {
       camera.node = desc::EnvironmentCamera{};
     } else {
-      place.fail(unknown_name_message("camera", model, models));
+      json.fail(unknown_name_message("camera", model, models));
     }
   }
 
   /// The place in `things` that an edit means: a number counts all of them.
   template <typename Things>
-  std::size_t edited(const JsonPlace& place, const Things& things, const char* what) {
-    const Json* which = place.find("which");
-    if (which == nullptr) place.fail("an edit says \"which\"");
-    return static_cast<std::size_t>(find(*which, place, things, 0, what));
+  std::size_t edited(const LocatedJson& json, const Things& things, const char* what) {
+    return static_cast<std::size_t>(find(json.at("which"), things, 0, what));
   }
 
-  void edit(const Json& json, const std::string& what) {
-    const JsonPlace place(json, what, {"kind", "which", "parameters", "material", "to_world"});
+  void edit(const LocatedJson& json) {
+    code::check_members(json, {"kind", "which", "parameters", "material", "to_world"});
     const std::vector<std::string> kinds = {"material", "light", "emission", "shape", "texture"};
-    const std::string kind = place.text("kind");
+    const std::string kind = json.value_or("kind", std::string());
     if (kind == "material") {
-      desc::Material& material = scene_.materials[edited(place, scene_.materials, "material")];
-      set(ModelKind::Material, material.node, place);
-      check_order<desc::MaterialRef>(place, material, scene_.materials);
+      desc::Material& material = scene_.materials[edited(json, scene_.materials, "material")];
+      set(ModelKind::Material, material.node, json);
+      check_order<desc::MaterialRef>(json, material, scene_.materials);
     } else if (kind == "texture") {
-      desc::Texture& texture = scene_.textures[edited(place, scene_.textures, "texture")];
-      set(ModelKind::Texture, texture.node, place);
-      check_order<desc::TextureRef>(place, texture, scene_.textures);
+      desc::Texture& texture = scene_.textures[edited(json, scene_.textures, "texture")];
+      set(ModelKind::Texture, texture.node, json);
+      check_order<desc::TextureRef>(json, texture, scene_.textures);
     } else if (kind == "light") {
-      desc::Light& light = scene_.lights[light_edited(place)];
-      set(ModelKind::Light, light.node, place);
-      if (place.find("to_world") != nullptr) light.to_world = transform(place);
+      desc::Light& light = light_edited(json);
+      set(ModelKind::Light, light.node, json);
+      if (json.has("to_world")) light.to_world = transform(json);
     } else if (kind == "emission") {
-      desc::Shape& shape = scene_.shapes[edited(place, scene_.shapes, "shape")];
-      if (!shape.emission) place.fail("the shape \"" + shape.name + "\" emits no light");
-      set(ModelKind::Emission, shape.emission->node, place);
+      desc::Shape& shape = scene_.shapes[edited(json, scene_.shapes, "shape")];
+      if (!shape.emission) json.fail("the shape \"" + shape.name + "\" emits no light");
+      set(ModelKind::Emission, shape.emission->node, json);
     } else if (kind == "shape") {
-      desc::Shape& shape = scene_.shapes[edited(place, scene_.shapes, "shape")];
-      set(ModelKind::Shape, shape.node, place);
-      if (place.find("material") != nullptr) {
-        shape.material = reference(place, "material", references_.material);
+      desc::Shape& shape = scene_.shapes[edited(json, scene_.shapes, "shape")];
+      set(ModelKind::Shape, shape.node, json);
+      if (json.has("material")) {
+        shape.material = reference(json, "material", references_.material);
       }
-      if (place.find("to_world") != nullptr) shape.to_world = transform(place);
+      if (json.has("to_world")) shape.to_world = transform(json);
     } else {
-      place.fail(unknown_name_message("kind", kind, kinds));
+      json.fail(unknown_name_message("kind", kind, kinds));
     }
   }
 
-  std::size_t light_edited(const JsonPlace& place) {
-    const Json* which = place.find("which");
-    if (which == nullptr) place.fail("an edit says \"which\"");
-    if (scene_.lights.empty()) place.fail("there is no light " + code::shown(*which));
-    return static_cast<std::size_t>(place.index("which", scene_.lights.size()));
+  /// Lights have no names.
+  desc::Light& light_edited(const LocatedJson& json) {
+    const LocatedJson which = json.at("which");
+    if (scene_.lights.empty()) which.fail("there is no light " + which.shown());
+    return scene_.lights[which.index(scene_.lights.size())];
   }
 
-  void set(ModelKind kind, desc::Node& node, const JsonPlace& place) {
-    code::set_parameters(kind, node, place, arrays_, references_);
+  void set(ModelKind kind, desc::Node& node, const LocatedJson& json) {
+    code::set_parameters(kind, node, json, arrays_, references_);
   }
 
   /// Cycles of references are refused.
   template <typename Reference, typename Thing>
-  static void check_order(const JsonPlace& place, const Thing& thing,
+  static void check_order(const LocatedJson& json, const Thing& thing,
                           const std::vector<Thing>& things) {
     const auto own = static_cast<int>(&thing - things.data());
     for (const desc::Value& value : thing.node.values()) {
       const auto* reference = std::get_if<Reference>(&value);
       if (reference != nullptr && reference->id >= own) {
-        place.fail("it can only refer to what was there before it");
+        json.fail("it can only refer to what was there before it");
       }
     }
   }
@@ -331,14 +284,6 @@ class Changer {
   std::size_t first_texture_, first_material_, first_medium_;
 };
 
-Json parsed(std::string_view text) {
-  try {
-    return code::parse_json(text);
-  } catch (const UsageError& error) {
-    throw SceneError("the description: " + std::string(error.what()));
-  }
-}
-
 }  // namespace
 
 std::size_t NumberArray::size() const {
@@ -347,23 +292,18 @@ std::size_t NumberArray::size() const {
 
 desc::SceneDesc changed_scene(desc::SceneDesc scene, std::string_view changes,
                               std::span<const NumberArray> arrays, Warnings& warnings) {
-  const Json json = parsed(changes);
-  Changer(scene, arrays, warnings)
-      .change({json,
-               "scene",
-               {"source", "film", "camera", "media", "textures", "materials", "shapes", "lights",
-                "edits"}});
+  Changer(scene, arrays, warnings).change(code::parse_description(changes, "scene"));
   return scene;
 }
 
 void check_node(ModelKind kind, std::string_view node) {
   desc::EmbeddedFiles embedded;
   Warnings warnings;
-  const Json json = parsed(node);
+  const LocatedJson json = code::parse_description(node, code::name_of(kind));
+  code::check_members(json, {"model", "parameters"});
   // References are resolved when it is added to a scene.
-  const auto any = [](const Json&, const JsonPlace&) { return 0; };
-  code::read_node(kind, {json, code::name_of(kind), {"model", "parameters"}},
-                  code::ArrayReader({}, embedded, warnings), {any, any});
+  const auto any = [](const LocatedJson&) { return 0; };
+  code::read_node(kind, json, code::ArrayReader({}, embedded, warnings), {any, any});
 }
 
 std::string editable_parts(const desc::SceneDesc& scene) {
