@@ -120,13 +120,8 @@ class LocatedJson::Builder : public nlohmann::json_sax<nlohmann::json> {
   bool number_float(number_float_t /*value*/, const string_t& /*spelling*/) override {
     return add(Kind::Number);
   }
-  bool string(string_t& value) override {
-    if (!tree_.rules.may_have_zeros && value.find('\0') != value.npos) {
-      fail(next_token(), "this text has a zero byte");
-    }
-    return add(Kind::Text);
-  }
-  bool key(string_t& name) override { return string(name); }
+  bool string(string_t& /*value*/) override { return add(Kind::Text); }
+  bool key(string_t& /*name*/) override { return add(Kind::Text); }
   bool binary(binary_t& /*value*/) override { return false; }  // JSON has none
   bool start_object(std::size_t /*size*/) override { return open(Kind::Object); }
   bool start_array(std::size_t /*size*/) override { return open(Kind::Array); }
@@ -313,7 +308,9 @@ double LocatedJson::number() const {
 
 std::string LocatedJson::text() const {
   require(Kind::Text, "text");
-  return text_of(source());
+  std::string text = text_of(source());
+  if (!rules().may_have_zeros && text.find('\0') != text.npos) fail("must have no zero byte");
+  return text;
 }
 
 std::size_t LocatedJson::index(std::size_t count) const {

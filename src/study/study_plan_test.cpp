@@ -169,7 +169,7 @@ TEST_F(StudyFile, OptionalScenesMayBeAbsent) {
   EXPECT_EQ(plan.scenes.at(1).name, "mine");
   ASSERT_EQ(plan.left_out.size(), 1U);
   for (const char* part :
-       {"study.json:1:22#/scenes/0/scene: ", "absent.pbrt", "gone.pbrt", "left out"}) {
+       {"study.json:2:17#/scenes/0/scene: ", "absent.pbrt", "gone.pbrt", "left out"}) {
     EXPECT_NE(plan.left_out.at(0).find(part), std::string::npos) << plan.left_out.at(0);
   }
   EXPECT_NE(error_of(study(kRest, R"([{"scene": "absent.pbrt", "optional": false}])"))
@@ -223,7 +223,7 @@ TEST_F(StudyFile, ErrorsAreLocatedAndListValidValues) {
       {"{\"name\": " + std::string(64, '['), {"more than 64 deep"}},
       {"{\"scenes\": [\"a\"],\n \"budgets\": [{\"time\": 1e309}]}",
        {":2:23: the number 1e309 is too large; at most 1.7e308"}},
-      {study(rest + R"(, "budgetts": 1)"), {":1:132: unknown member \"budgetts\"", "\"budgets\"?"}},
+      {study(rest + R"(, "budgetts": 1)"), {":1:135: unknown member \"budgetts\"", "\"budgets\"?"}},
       {study(R"("budgets": [{"spp": 4}])"), {"#/scenes/0: ", "no \"reference\""}},
       {study(rest, R"(["builtin:cornel"])"), {"#/scenes/0: ", "did you mean \"cornell\"?"}},
       {study(rest, R"([{"scene": ["a.pbrt", "b.pbrt"]}])"), {"#/scenes/0/scene: ", "b.pbrt"}},

@@ -143,7 +143,7 @@ TEST(CFace, SaysWhatIsWrong) {
   EXPECT_NE(refused(R"({"seed": -1})").find("seed: must be"), std::string::npos);
   EXPECT_NE(refused(R"({"resolution": [3]})").find("resolution: must be 2 numbers"),
             std::string::npos);
-  EXPECT_NE(refused("[1]").find("no JSON object"), std::string::npos);
+  EXPECT_NE(refused("[1]").find("must be an object"), std::string::npos);
   refused("{");
   // Errors that need the scene come later.
   const Render wrong = started(scene, R"({"parameters": {"nothing": 1}})");
@@ -243,7 +243,7 @@ TEST(CFace, SaysWhereASceneIsWrong) {
   has(shape(R"("model": "mesh")"), "it needs \"mesh\"");
   has(shape(R"("model": "mesh", "parameters": {"mesh": {"positions": 1, "indices": 0}})"), "N x 3");
   has(shape(R"("model": "mesh", "parameters": {"mesh": {"positions": 9, "indices": 0}})"),
-      "below 4");
+      "positions: refers to number 9, but there are 4");
   has(shape(R"("model": "sphere", "material": "none")"), "unknown material");
   has(shape(R"("model": "sphere", "material": 0)"), "there is no material 0");
   has(shape(R"("model": "sphere", "to_world": [1])"), "4 x 4");
