@@ -213,8 +213,8 @@ TEST(Sizes, FromASinglePixelOnKeepTheBrightness) {
     int samples;
   };
   for (const Size& size : {Size{{1, 1}, "100", 8192},
-                           // Every pass begins with the states of all chains: fewer passes.
-                           Size{{1, 1}, "1000", 4096}, Size{{3, 2}, "100", 8192}}) {
+                           // More chains than mutations of a pass.
+                           Size{{1, 1}, "400", 4096}, Size{{3, 2}, "100", 8192}}) {
     const auto scene =
         scene_from(pbrt_scene(kCamera, size.pixels.x, size.pixels.y, kPoints + kFloor));
     test::RenderOptions options;

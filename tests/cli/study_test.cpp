@@ -214,7 +214,7 @@ TEST_F(StudyCli, ReportsErrors) {
       "reference": {"integrator": "pt", "spp": 1}})");
   const Outcome wrong = run({"study", "wrong.json", "--out", "out"});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_TRUE(contains(wrong.err, "wrong.json:1:53#/integrators/0: ")) << wrong.err;
+  EXPECT_TRUE(contains(wrong.err, "wrong.json:1:49#/integrators/0: ")) << wrong.err;
   EXPECT_EQ(run({"study", "absent.json"}).exit_code, 4);
   EXPECT_EQ(run({"study"}).exit_code, 2);
   write_study(R"([{"spp": 4}])");

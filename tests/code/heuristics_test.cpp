@@ -70,6 +70,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"integrator/regions/impulse_noise.cpp", {"size of an array", {"kLargestWindow"}}},
       {"integrator/selective/optimal_thresholds.cpp",
        {"end of an iteration that descends", {"kMostRounds"}}},
+      {"integrator/selective/roulette_pilot.cpp", {"work items of a pilot", {"kItems"}}},
       {"integrator/regions/region_rules.cpp", {"length of a message", {"kMostNamesShown"}}},
       {"image/relative_error.h", {"scales that statistics have", {"kErrorScales"}}},
       {"image/ssim.cpp",
