@@ -135,8 +135,7 @@ class LocatedJson::Builder : public nlohmann::json_sax<nlohmann::json> {
                    const nlohmann::detail::exception& error) override {
     constexpr int kNumberOutOfRange = 406;  // from the parser's documentation
     if (error.id == kNumberOutOfRange) {
-      fail(next_token(),
-           "the number " + printable_line(token.substr(0, 32)) + " is too large; at most 1.7e308");
+      fail(next_token(), "the number " + printable(token) + " is too large; at most 1.7e308");
     }
     fail(std::min(position - std::min<std::size_t>(position, 1), tree_.text.size()),
          "this is no JSON: " + reason_of(error.what()));
@@ -279,9 +278,7 @@ std::string LocatedJson::pointer() const {
 
 std::string LocatedJson::shown() const {
   if (is(Kind::Object)) return "an object";
-  constexpr std::size_t kLongest = 60;
-  const std::string_view text = source();
-  return printable_line(text.substr(0, kLongest)) + (text.size() > kLongest ? "…" : "");
+  return printable(source());
 }
 
 void LocatedJson::fail(const std::string& message) const { tree_->fail(where(), message); }

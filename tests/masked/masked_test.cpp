@@ -70,23 +70,6 @@ std::unique_ptr<Scene> scene_of_fireflies() {
       "LookAt 0 5 0  0 0 0  0 0 1 Camera \"perspective\" \"float fov\" [35]", 24, 18, world));
 }
 
-/// Means of the picture over independent renders.
-struct MeanAndError {
-  double mean;
-  double error;
-};
-MeanAndError mean_of(const Scene& scene, test::RenderOptions options, int renders) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (int i = 0; i < renders; ++i) {
-    options.seed = 100 + static_cast<std::uint64_t>(i);
-    const double mean = test::render(scene, options).mean();
-    sum += mean;
-    squares += mean * mean;
-  }
-  return {sum / renders, std::sqrt((squares - sum * sum / renders) / (renders * (renders - 1.0)))};
-}
-
 TEST(Masked, IsBiasedByAPilotThatIsKeptOnly) {
   const auto scene = scene_of_fireflies();
   test::RenderOptions options;
@@ -94,20 +77,19 @@ TEST(Masked, IsBiasedByAPilotThatIsKeptOnly) {
   options.integrator = "bdpt";
   options.samples = 256;
   options.replicates = 4;
-  const MeanAndError truth = mean_of(*scene, options, 8);
+  const Moments truth = test::means_of_other_seeds(*scene, options, 8);
   options.replicates = 4;
   options.samples = 4;
   options.integrator = "masked";
   // Few techniques, so that it is mostly fireflies that tell the map anything.
   options.parameters = {{"omc", "pt"}, {"pilot", "discard"}, {"bootstrap", "8000"}};
-  const auto mean = [&](std::uint64_t seed) {
-    options.seed = seed;
-    return test::render(*scene, options).mean();
-  };
-  test::expect_mean_over_seeds({truth.mean, truth.error, 0.25 * truth.mean}, 80, mean, "discard");
+  test::expect_mean_over_seeds({truth.mean(), truth.standard_error(), 0.25 * truth.mean()}, 80,
+                               test::mean_of_seed(*scene, options), "discard");
   options.parameters["pilot"] = "keep";
-  const MeanAndError kept = mean_of(*scene, options, 40);
-  EXPECT_LT((kept.mean - truth.mean) / std::hypot(kept.error, truth.error), -5.0)
+  const Moments kept = test::means_of_other_seeds(*scene, options, 40);
+  EXPECT_LT(
+      (kept.mean() - truth.mean()) / std::hypot(kept.standard_error(), truth.standard_error()),
+      -5.0)
       << "where the pilot found no light, it stays dark";
 }
 

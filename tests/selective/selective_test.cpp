@@ -129,37 +129,11 @@ TEST(Selective, HasTheSameExpectationForAnyMapWithChainsOfPaths) {
   }
 }
 
-/// Mean of the picture as a function of the seed.
-auto mean_of_seed(const Scene& scene, const test::RenderOptions& options) {
-  return [&scene, own = options](std::uint64_t seed) mutable {
-    own.seed = seed;
-    return test::render(scene, own).mean();
-  };
-}
-
-struct MeanAndError {
-  double mean;
-  double error;
-};
-MeanAndError summary(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double value : values) {
-    sum += value;
-    squares += value * value;
-  }
-  return {sum / n, std::sqrt((squares - sum * sum / n) / (n * (n - 1.0)))};
-}
-
-MeanAndError truth_of(const Scene& scene, test::RenderOptions options) {
+Moments truth_of(const Scene& scene, test::RenderOptions options) {
   options.replicates = 4;
   options.integrator = "bdpt";
   options.samples = 128;
-  auto mean = mean_of_seed(scene, options);
-  std::vector<double> means;
-  for (std::uint64_t seed = 1001; seed <= 1008; ++seed) means.push_back(mean(seed));
-  return summary(means);
+  return test::means_of_other_seeds(scene, options, 8);
 }
 
 // Pixels that show two objects count as one of them, independently of the picture's own samples:
@@ -177,14 +151,14 @@ TEST(Selective, RegionsAreIndependentOfKeptSamples) {
   test::RenderOptions options;
   options.min_depth = 3;
   options.max_depth = 6;
-  const MeanAndError truth = truth_of(*scene, options);
+  const Moments truth = truth_of(*scene, options);
   options.replicates = 4;
   options.samples = 4;
   options.integrator = "selective";
   for (const char* pilot : {"cross", "discard"}) {
     options.parameters = {{"regions", rules.path()}, {"techniques", "bdpt"}, {"pilot", pilot}};
-    expect_mean_over_seeds({truth.mean, truth.error, 0.04 * truth.mean}, 100,
-                           mean_of_seed(*scene, options), pilot);
+    expect_mean_over_seeds({truth.mean(), truth.standard_error(), 0.04 * truth.mean()}, 100,
+                           test::mean_of_seed(*scene, options), pilot);
   }
 }
 
@@ -239,16 +213,15 @@ TEST(Selective, LeavesLightWhereItIsWhicheverTechniquesFindIt) {
   for (const char* split : {"0.3", "3"}) {
     options.parameters = {
         {"chain", "mlt"}, {"techniques", "pt"}, {"split", split}, {"importance", "uniform"}};
-    std::vector<double> shares;
+    Moments shares;
     for (std::uint64_t i = 0; i < 24; ++i) {
       options.seed = 300 + i;
       const auto [own_left, own_right] = halves_of(test::render(*scene, options));
-      shares.push_back(own_left / (own_left + own_right));
+      shares.add(own_left / (own_left + own_right));
     }
-    const MeanAndError own = summary(shares);
     const double truth = left / (left + right);
-    EXPECT_LT(5.0 * own.error, 0.13) << split << ": too noisy to notice a bias";
-    EXPECT_LT(std::abs(own.mean - truth), 5.0 * own.error) << split;
+    EXPECT_LT(5.0 * shares.standard_error(), 0.13) << split << ": too noisy to notice a bias";
+    EXPECT_LT(std::abs(shares.mean() - truth), 5.0 * shares.standard_error()) << split;
   }
 }
 
@@ -262,19 +235,18 @@ std::unique_ptr<Scene> scene_of_panes() {
 }
 
 struct OfHalves {
-  MeanAndError left;
-  MeanAndError right;
+  Moments left;
+  Moments right;
 };
 OfHalves halves_of_seeds(const Scene& scene, test::RenderOptions options, std::uint64_t seeds) {
-  std::vector<double> lefts;
-  std::vector<double> rights;
+  OfHalves halves;
   for (std::uint64_t i = 0; i < seeds; ++i) {
     options.seed = 500 + i;
     const auto [left, right] = halves_of(test::render(scene, options));
-    lefts.push_back(left);
-    rights.push_back(right);
+    halves.left.add(left);
+    halves.right.add(right);
   }
-  return {summary(lefts), summary(rights)};
+  return halves;
 }
 
 // Classes of chains partition the paths: none is made twice, and none is left out.
@@ -294,9 +266,9 @@ TEST(Selective, DividesPathsAmongChainsByTheirClass) {
     const OfHalves own = halves_of_seeds(*scene, options, 24);
     for (const auto& [mine, right] :
          {std::pair(own.left, truth.left), std::pair(own.right, truth.right)}) {
-      const double error = 5.0 * std::hypot(mine.error, right.error);
-      EXPECT_LT(error, 0.1 * right.mean) << chain << ": too noisy to notice a bias";
-      EXPECT_LT(std::abs(mine.mean - right.mean), error) << chain;
+      const double error = 5.0 * std::hypot(mine.standard_error(), right.standard_error());
+      EXPECT_LT(error, 0.1 * right.mean()) << chain << ": too noisy to notice a bias";
+      EXPECT_LT(std::abs(mine.mean() - right.mean()), error) << chain;
     }
   }
 }
@@ -324,15 +296,15 @@ TEST(Selective, HasTheSameExpectationWithAndWithoutTheSamplesOfThePilot) {
   const auto scene = small_scene("Room");
   test::RenderOptions options;
   options.max_depth = 5;
-  const MeanAndError truth = truth_of(*scene, options);
+  const Moments truth = truth_of(*scene, options);
   // Equal samples of the pilot and of the render.
   options.samples = 4;
   options.integrator = "selective";
   // The pilot is kept from four replicates on.
   for (const int replicates : {2, 4}) {
     options.replicates = replicates;
-    expect_mean_over_seeds({truth.mean, truth.error, 0.04 * truth.mean}, 60,
-                           mean_of_seed(*scene, options),
+    expect_mean_over_seeds({truth.mean(), truth.standard_error(), 0.04 * truth.mean()}, 60,
+                           test::mean_of_seed(*scene, options),
                            std::to_string(replicates) + " replicates");
   }
 }

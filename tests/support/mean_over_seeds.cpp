@@ -3,10 +3,25 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "mcmc/moments.h"
+#include <utility>
 
 namespace ajar::test {
+
+std::function<double(std::uint64_t seed)> mean_of_seed(const Scene& scene, RenderOptions options) {
+  return [&scene, own = std::move(options)](std::uint64_t seed) mutable {
+    own.seed = seed;
+    return render(scene, own).mean();
+  };
+}
+
+Moments means_of_other_seeds(const Scene& scene, const RenderOptions& options, int renders) {
+  constexpr std::uint64_t kFirst = 1001;
+  const auto mean = mean_of_seed(scene, options);
+  Moments means;
+  for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(renders); ++i)
+    means.add(mean(kFirst + i));
+  return means;
+}
 
 void expect_mean_over_seeds(const ExpectedMean& expected, int seeds,
                             const std::function<double(std::uint64_t seed)>& value,

@@ -3,7 +3,15 @@
 #include <functional>
 #include <string>
 
+#include "mcmc/moments.h"
+#include "support/render.h"
+
 namespace ajar::test {
+
+/// Mean of the picture as a function of the seed. The scene must outlive it.
+std::function<double(std::uint64_t seed)> mean_of_seed(const Scene& scene, RenderOptions options);
+/// Means of pictures of seeds that `expect_mean_over_seeds` does not have.
+Moments means_of_other_seeds(const Scene& scene, const RenderOptions& options, int renders);
 
 /// An expectation, the standard error with which it is known, and the deviation to be noticed.
 struct ExpectedMean {

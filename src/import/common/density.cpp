@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "scene/desc/node.h"
 
 namespace ajar {

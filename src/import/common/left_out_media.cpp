@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 
 namespace ajar {
 namespace {

@@ -3,7 +3,7 @@
 #include <new>
 
 #include "core/parallel_for.h"
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mesh/validate_mesh.h"
 
 namespace ajar {

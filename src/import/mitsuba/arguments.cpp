@@ -4,7 +4,7 @@
 #include <exception>
 #include <map>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mitsuba/names.h"
 #include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/spectrum_plugins.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mitsuba/property_reader.h"
 
 namespace ajar::mitsuba {

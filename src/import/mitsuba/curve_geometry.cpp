@@ -1,7 +1,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mitsuba/curve_file.h"
 #include "import/mitsuba/geometry.h"
 

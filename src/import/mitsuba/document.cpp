@@ -1,6 +1,6 @@
 #include "import/mitsuba/document.h"
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 
 namespace ajar::mitsuba {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/common/resolution.h"
 #include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/sensor.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/sensor.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/node_maker.h"
 #include "import/mitsuba/plugin_types.h"

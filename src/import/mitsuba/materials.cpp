@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mitsuba/material_plugins.h"
 #include "import/mitsuba/plugin_types.h"
 

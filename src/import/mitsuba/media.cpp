@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/common/scattering_presets.h"
 #include "import/mitsuba/names.h"
 #include "import/mitsuba/plugin_types.h"

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mesh/obj.h"
 #include "import/mesh/smooth_normals.h"
 #include "import/mitsuba/geometry.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mitsuba/attributes.h"
 #include "import/mitsuba/names.h"
 #include "import/mitsuba/numbers.h"

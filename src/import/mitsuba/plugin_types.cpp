@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mitsuba/material_plugins.h"
 #include "import/mitsuba/sensor.h"
 #include "import/mitsuba/spectrum_plugins.h"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "color/color.h"
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/numbers.h"
 

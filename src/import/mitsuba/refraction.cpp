@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mitsuba/names.h"
 
 namespace ajar::mitsuba {

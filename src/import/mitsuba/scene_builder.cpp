@@ -1,7 +1,7 @@
 #include "import/mitsuba/scene_builder.h"
 
+#include "core/printable_text.h"
 #include "import/common/left_out_media.h"
-#include "import/common/printable.h"
 #include "import/mitsuba/lights.h"
 #include "import/mitsuba/sensor.h"
 #include "import/mitsuba/shapes.h"

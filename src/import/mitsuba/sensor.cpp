@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/printable_text.h"
 #include "import/common/degree.h"
-#include "import/common/printable.h"
 #include "import/common/studio.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/plugin_types.h"

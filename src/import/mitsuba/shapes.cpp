@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/printable_text.h"
 #include "import/common/opacity.h"
-#include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/geometry.h"
 #include "import/mitsuba/node_maker.h"

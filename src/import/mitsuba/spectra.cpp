@@ -4,8 +4,8 @@
 
 #include "color/color.h"
 #include "core/error.h"
+#include "core/printable_text.h"
 #include "import/common/metals.h"
-#include "import/common/printable.h"
 #include "import/mitsuba/numbers.h"
 
 namespace ajar::mitsuba {

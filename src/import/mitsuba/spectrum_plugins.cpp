@@ -4,7 +4,7 @@
 #include <array>
 
 #include "color/color.h"
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mitsuba/arguments.h"
 #include "import/mitsuba/numbers.h"
 #include "import/mitsuba/plugin_types.h"

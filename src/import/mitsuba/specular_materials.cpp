@@ -1,5 +1,5 @@
+#include "core/printable_text.h"
 #include "import/common/conductors.h"
-#include "import/common/printable.h"
 #include "import/mitsuba/names.h"
 #include "import/mitsuba/refraction.h"
 #include "import/mitsuba/roughness.h"

@@ -1,7 +1,7 @@
 #include "import/mitsuba/textures.h"
 
+#include "core/printable_text.h"
 #include "core/spectrum.h"
-#include "import/common/printable.h"
 #include "import/mitsuba/node_maker.h"
 #include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/spectrum_plugins.h"

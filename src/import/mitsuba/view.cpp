@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/printable_text.h"
 #include "import/common/degree.h"
-#include "import/common/printable.h"
 #include "import/mitsuba/numbers.h"
 
 namespace ajar::mitsuba {

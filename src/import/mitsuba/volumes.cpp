@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/printable_text.h"
 #include "import/common/density.h"
-#include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/mitsuba/plugin_types.h"
 #include "import/mitsuba/volume_file.h"

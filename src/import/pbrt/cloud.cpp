@@ -6,8 +6,8 @@
 
 #include "core/parallel_for.h"
 #include "core/perlin_noise.h"
+#include "core/printable_text.h"
 #include "import/common/density.h"
-#include "import/common/printable.h"
 #include "os/available_memory.h"
 
 namespace ajar::pbrt {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {

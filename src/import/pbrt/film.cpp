@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/common/resolution.h"
 #include "import/pbrt/lexer.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/number_text.h"
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 
 namespace ajar::pbrt {
 namespace {

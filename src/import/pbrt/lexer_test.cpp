@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 
 namespace ajar::pbrt {
 namespace {

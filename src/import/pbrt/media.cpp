@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/printable_text.h"
 #include "import/common/density.h"
-#include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/nanovdb_file.h"

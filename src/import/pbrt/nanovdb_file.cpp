@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/common/transforms.h"
 #include "import/mesh/inflate.h"
 #include "os/available_memory.h"

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/printable_text.h"
 #include "import/common/left_out_media.h"
-#include "import/common/printable.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
 

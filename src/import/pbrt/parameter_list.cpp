@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/own_words.h"
 

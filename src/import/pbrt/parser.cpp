@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/mesh/gzip.h"
 
 namespace ajar::pbrt {

@@ -1,6 +1,6 @@
 #include "import/pbrt/presets.h"
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/pbrt/lexer.h"
 
 namespace ajar::pbrt {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/printable_text.h"
 #include "import/common/opacity.h"
-#include "import/common/printable.h"
 #include "import/pbrt/bilinear_mesh.h"
 #include "import/pbrt/emitted_power.h"
 #include "import/pbrt/lexer.h"

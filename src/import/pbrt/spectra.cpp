@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "color/color.h"
+#include "core/printable_text.h"
 #include "import/common/metals.h"
-#include "import/common/printable.h"
 #include "import/pbrt/color_space.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/named_spectra.h"

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "import/common/printable.h"
+#include "core/printable_text.h"
 #include "import/common/transforms.h"
 #include "import/pbrt/lexer.h"
 #include "import/pbrt/node_reader.h"

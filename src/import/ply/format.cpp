@@ -1,7 +1,7 @@
 #include "import/format.h"
 
+#include "core/printable_text.h"
 #include "import/common/bare_mesh.h"
-#include "import/common/printable.h"
 #include "import/mesh/ply.h"
 
 namespace ajar::ply {

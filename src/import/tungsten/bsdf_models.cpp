@@ -89,7 +89,7 @@ ComplexIor complex_ior(const BsdfInputs& in) {
   if (name && !name->empty()) {
     if (const std::optional<ComplexIor> metal = find_metal(*name)) return *metal;
     in.warn(kUnknownMetal,
-            unknown_name_message("metal", shown(*name), metal_names()) + ". Copper stands in");
+            unknown_name_message("metal", printable(*name), metal_names()) + ". Copper stands in");
     return copper;
   }
   return {eta.value_or(copper.eta), k.value_or(copper.k)};
@@ -232,7 +232,7 @@ std::string distribution_of(const BsdfInputs& in) {
   }
   static const std::vector<std::string> kKnown = {"beckmann", "ggx", "phong"};
   in.warn(kUnknownDistribution,
-          unknown_name_message("distribution", shown(name), kKnown) + ". \"ggx\" stands in");
+          unknown_name_message("distribution", printable(name), kKnown) + ". \"ggx\" stands in");
   return "ggx";
 }
 

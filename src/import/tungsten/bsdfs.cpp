@@ -77,8 +77,8 @@ void BsdfTable::define(const LocatedJson& list) {
     } else {
       context_.warnings.add(
           kSameBsdfName, name->where(),
-          "there is another bsdf \"" + shown(name->text()) + "\" before, which counts",
-          shown(name->text()));
+          "there is another bsdf \"" + printable(name->text()) + "\" before, which counts",
+          printable(name->text()));
     }
   }
   for (Entry* entry : entries) read_named(*entry);
@@ -106,11 +106,11 @@ Surface BsdfTable::resolve(const LocatedJson& json) {
   const auto found = named_.find(json.text());
   if (found != named_.end()) return read_named(found->second);
   std::vector<std::string> names;
-  for (const auto& entry : named_) names.push_back(shown(entry.first));
+  for (const auto& entry : named_) names.push_back(printable(entry.first));
   context_.warnings.add(
       kUnknownName, json.where(),
-      unknown_name_message("bsdf", shown(json.text()), names) + ". Grey stands in",
-      shown(json.text()));
+      unknown_name_message("bsdf", printable(json.text()), names) + ". Grey stands in",
+      printable(json.text()));
   return grey(json.where());
 }
 
@@ -137,8 +137,8 @@ Surface BsdfTable::read(const LocatedJson& json) {
   } else {
     context_.warnings.add(
         kUnknownType, json.where(),
-        unknown_name_message("bsdf type", shown(*type), bsdf_types()) + ". Grey stands in",
-        shown(*type));
+        unknown_name_message("bsdf type", printable(*type), bsdf_types()) + ". Grey stands in",
+        printable(*type));
     return grey(json.where());
   }
   desc::Material& material = material_at(surface.material);

@@ -73,8 +73,8 @@ desc::Filter filter_of(const Context& context, const LocatedJson& json) {
     if (name != "tent") {
       context.warnings.add(
           kUnknownFilter, json.where(),
-          unknown_name_message("filter", shown(name), kFilters) + ". \"tent\" stands in",
-          shown(name));
+          unknown_name_message("filter", printable(name), kFilters) + ". \"tent\" stands in",
+          printable(name));
     }
   }
   return filter;
@@ -99,9 +99,9 @@ float focus_of(const Context& context, const ObjectReader& object, const Vec3d& 
   if (!pivot || pivot->empty()) return distance;
   const auto found = places.find(*pivot);
   if (found == places.end()) {
-    context.warnings.add(
-        kUnknownFocus, object.where(),
-        "there is no primitive \"" + shown(*pivot) + "\" to focus on: \"focus_distance\" counts");
+    context.warnings.add(kUnknownFocus, object.where(),
+                         "there is no primitive \"" + printable(*pivot) +
+                             "\" to focus on: \"focus_distance\" counts");
     return distance;
   }
   return static_cast<float>((origin_of(found->second) - eye).length());
@@ -167,8 +167,8 @@ void read_camera(Context& context, const LocatedJson& json, MediumTable& media,
     if (std::find(kCameraTypes.begin(), kCameraTypes.end(), type) == kCameraTypes.end()) {
       context.warnings.add(
           kUnknownCamera, json.where(),
-          unknown_name_message("camera", shown(type), kCameraTypes) + ". A pinhole stands in",
-          shown(type));
+          unknown_name_message("camera", printable(type), kCameraTypes) + ". A pinhole stands in",
+          printable(type));
     }
     desc::PerspectiveCamera node;
     if (type == "thinlens") node = thin_lens(context, object, origin_of(frame), places);

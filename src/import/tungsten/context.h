@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/located_json.h"
+#include "core/printable_text.h"
 #include "core/warnings.h"
 #include "import/common/file_access.h"
 #include "scene/desc/scene_desc.h"
@@ -16,9 +17,6 @@ struct Context {
   Warnings& warnings;
   FileAccess& files;
 };
-
-/// A text of the file, shortened and fit for a message.
-std::string shown(std::string_view text);
 
 /// The text of "type", if `json` is an object with one; else empty.
 inline std::string type_of(const LocatedJson& json) {

@@ -108,7 +108,7 @@ std::vector<Placed> read_placed(const Context& context, const LocatedJson& json)
     }
     context.warnings.add(kUnreadableInstances, json.where(),
                          "cannot read these instances: " + reason + ". They are left out",
-                         shown(json.text()));
+                         printable(json.text()));
     return {};
   }
   if (!json.is(LocatedJson::Kind::Array)) {

@@ -98,7 +98,7 @@ void infinite_sphere_cap(const Source& source, const PrimitivePlaces& places) {
     } else {
       source.context.warnings.add(
           kUnknownPivot, source.object.where(),
-          "there is no primitive \"" + shown(*dome) + "\": the light's own place is used");
+          "there is no primitive \"" + printable(*dome) + "\": the light's own place is used");
     }
   }
   const float angle =

@@ -41,9 +41,9 @@ float phase_of(const Context& context, const LocatedJson& json) {
         kPhase, json.where(),
         type == "rayleigh" ? "Rayleigh scattering is not supported: isotropic scattering, as even "
                              "to both sides, stands in"
-                           : unknown_name_message("phase function", shown(type), kPhases) +
+                           : unknown_name_message("phase function", printable(type), kPhases) +
                                  ". An isotropic one stands in",
-        shown(type));
+        printable(type));
     return 0.F;
   }
   if (!(g > -1.F && g < 1.F)) throw SceneError(json.where(), "\"g\" must be between -1 and 1");
@@ -70,7 +70,7 @@ std::string grid_of(const ObjectReader& medium) {
                "emission_scale", "scale_emission_by_density", "normalize_size",
                "integration_method", "sampling_method", "step_size", "transform"});
   grid.report_unknown();
-  return "the grid \"" + shown(file) + "\", which is not read";
+  return "the grid \"" + printable(file) + "\", which is not read";
 }
 
 }  // namespace
@@ -82,16 +82,16 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
   if (!type) throw SceneError(json.where(), "a medium needs \"type\"");
   if (std::find(kMediumTypes.begin(), kMediumTypes.end(), *type) == kMediumTypes.end()) {
     context_.warnings.add(kUnknownMedium, json.where(),
-                          unknown_name_message("medium type", shown(*type), kMediumTypes) +
+                          unknown_name_message("medium type", printable(*type), kMediumTypes) +
                               ". The medium is left out",
-                          shown(*type));
+                          printable(*type));
     return desc::kNone;
   }
   if (*type == "voxel") {
     // Without its grid its extent is unknown; a camera may be in it.
     context_.warnings.add(kNoGrid, json.where(),
                           "a medium of voxels needs " + grid_of(object) + ": it counts as empty",
-                          shown(name));
+                          printable(name));
     object.accept({"sigma_a", "sigma_s", "density", "phase_function", "phase", "transmittance",
                    "max_bounces"});
     object.report_unknown();
@@ -102,7 +102,7 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
         kHeterogeneous, json.where(),
         "media of type \"" + *type +
             "\" are not supported: a homogeneous one of its \"density\" stands in",
-        shown(name));
+        printable(name));
     object.accept(
         {"pivot", "falloff_scale", "radius", "center", "unit_point", "falloff_direction"});
   }
@@ -127,7 +127,7 @@ desc::MediumId MediumTable::read(const LocatedJson& json) {
                           "paths that scatter more than " + std::to_string(bounces) +
                               " times in this medium go on here, up to the " +
                               std::to_string(longest) + " of the integrator",
-                          shown(name));
+                          printable(name));
   }
   object.report_unknown();
   context_.scene.media.push_back(std::move(medium));
@@ -142,8 +142,8 @@ void MediumTable::define(const LocatedJson& list) {
     if (!name || named_.try_emplace(name->text(), id).second) continue;
     context_.warnings.add(
         kSameMediumName, name->where(),
-        "there is another medium \"" + shown(name->text()) + "\" before, which counts",
-        shown(name->text()));
+        "there is another medium \"" + printable(name->text()) + "\" before, which counts",
+        printable(name->text()));
   }
 }
 
@@ -153,11 +153,11 @@ desc::MediumId MediumTable::resolve(const LocatedJson& json) {
   const auto found = named_.find(json.text());
   if (found != named_.end()) return found->second;
   std::vector<std::string> names;
-  for (const auto& entry : named_) names.push_back(shown(entry.first));
+  for (const auto& entry : named_) names.push_back(printable(entry.first));
   context_.warnings.add(
       kUnknownMedium, json.where(),
-      unknown_name_message("medium", shown(json.text()), names) + ". It is left out",
-      shown(json.text()));
+      unknown_name_message("medium", printable(json.text()), names) + ". It is left out",
+      printable(json.text()));
   return desc::kNone;
 }
 

@@ -81,7 +81,7 @@ std::vector<MeshPart> split(Wo3Mesh source, int count) {
 
 std::vector<MeshPart> MeshFiles::read(const LocatedJson& name, const std::string& path,
                                       const MeshTreatment& treatment, int count) const {
-  const std::string subject = shown(name.text());
+  const std::string subject = printable(name.text());
   const auto unreadable = [&](const std::string& reason) {
     context_.warnings.add(kUnreadableMesh, name.where(), "cannot use this mesh: " + reason,
                           subject);

@@ -38,7 +38,8 @@ void ObjectReader::report_unknown() const {
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
     context_.warnings.add(
         kUnknownKey, key.where(),
-        unknown_name_message("member of " + what_, shown(name), known_) + ". Ignored", shown(name));
+        unknown_name_message("member of " + what_, printable(name), known_) + ". Ignored",
+        printable(name));
   }
 }
 

@@ -106,7 +106,7 @@ std::string foreign_members(const LocatedJson& root) {
     if (!holds || std::find(kMembers.begin(), kMembers.end(), member.name) != kMembers.end()) {
       continue;
     }
-    names += (names.empty() ? "\"" : ", \"") + shown(member.name) + "\"";
+    names += (names.empty() ? "\"" : ", \"") + printable(member.name) + "\"";
   }
   return names;
 }
@@ -161,7 +161,7 @@ void require_scene(const LocatedJson& root) {
     message += "; it looks like one of " + std::string(*program);
   }
   if (const auto maker = maker_in(root)) {
-    message += "; it says that it was made by \"" + shown(maker->text()) + "\"";
+    message += "; it says that it was made by \"" + printable(maker->text()) + "\"";
   }
   throw SceneError(root.where(), message);
 }

@@ -119,7 +119,7 @@ std::vector<Part> PrimitiveReader::curve_parts(const ObjectReader& object, const
                                                   "ribbon"};
   const std::string mode = object.text("mode").value_or(kModes.front());
   if (std::find(kModes.begin(), kModes.end(), mode) == kModes.end()) {
-    throw SceneError(object.where(), unknown_name_message("curve mode", shown(mode), kModes));
+    throw SceneError(object.where(), unknown_name_message("curve mode", printable(mode), kModes));
   }
   if (mode == "ribbon") {
     context_.warnings.add(kCurveMode, object.where(),
@@ -143,7 +143,7 @@ std::vector<Part> PrimitiveReader::curve_parts(const ObjectReader& object, const
   const auto file = object.find({"file", "path"});
   const auto leave_out = [&](const std::string& reason) {
     context_.warnings.add(kNoCurves, object.where(), "cannot use these curves: " + reason,
-                          !file ? "" : shown(file->text()));
+                          !file ? "" : printable(file->text()));
     return std::vector<Part>();
   };
   if (!file) return leave_out("they name no \"file\"");
@@ -192,8 +192,8 @@ std::vector<Part> PrimitiveReader::parts_of(const ObjectReader& object, const st
   }
   context_.warnings.add(
       kUnknownPrimitive, object.where(),
-      unknown_name_message("primitive type", shown(type), kPrimitiveTypes) + ". Left out",
-      shown(type));
+      unknown_name_message("primitive type", printable(type), kPrimitiveTypes) + ". Left out",
+      printable(type));
   return {};
 }
 
@@ -277,7 +277,7 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
   for (const Part& part : parts) area += part.area;
   if (*type != "mesh" && surfaces.size() > 1) {
     context_.warnings.add(kMoreBsdfs, json.where(),
-                          "only meshes can have several bsdfs: the first counts", shown(name));
+                          "only meshes can have several bsdfs: the first counts", printable(name));
   }
   const bool can_shine = *type != "curves";
   std::optional<desc::Emission> emission;
@@ -292,7 +292,7 @@ void PrimitiveReader::read(const LocatedJson& json, std::vector<desc::Shape>& sh
     if (!is_invertible(part.to_world) || (can_shine && !(part.area > 0.0))) {
       context_.warnings.add(kFlat, json.where(),
                             "the transform of this primitive cannot be inverted: left out",
-                            shown(name));
+                            printable(name));
       continue;
     }
     const Surface& surface = surfaces[static_cast<std::size_t>(part.bsdf)];

@@ -48,8 +48,8 @@ void read_integrator(Context& context, const LocatedJson& json) {
     for (const IntegratorName& name : kIntegrators) names.emplace_back(name.theirs);
     context.warnings.add(
         kUnknownIntegrator, json.where(),
-        unknown_name_message("integrator", shown(type), names) + ". Another stands in",
-        shown(type));
+        unknown_name_message("integrator", printable(type), names) + ". Another stands in",
+        printable(type));
   }
   // A path that meets one surface, a light, has one bounce for Tungsten, and one edge.
   const int bounces = object.integer("max_bounces").value_or(kUsualPathBounces);

@@ -141,10 +141,11 @@ desc::Value TextureReader::of_object(const LocatedJson& json) {
   }
   const TextureType* known = texture_type(*type);
   if (known == nullptr) {
-    context_.warnings.add(kUnknownTexture, json.where(),
-                          unknown_name_message("texture", shown(*type), names_of_texture_types()) +
-                              ". Grey stands in",
-                          shown(*type));
+    context_.warnings.add(
+        kUnknownTexture, json.where(),
+        unknown_name_message("texture", printable(*type), names_of_texture_types()) +
+            ". Grey stands in",
+        printable(*type));
     return kGrey;
   }
   context_.warnings.add(kStandIn, json.where(),

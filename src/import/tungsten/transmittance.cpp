@@ -53,7 +53,7 @@ void check_transmittance(const Context& context, const LocatedJson& json) {
     std::vector<std::string> names;
     names.reserve(kTransmittances.size());
     for (const TransmittanceType& known : kTransmittances) names.emplace_back(known.name);
-    message = unknown_name_message("transmittance", shown(name), names) +
+    message = unknown_name_message("transmittance", printable(name), names) +
               ". An exponential one stands in";
   }
   context.warnings.add(kTransmittance, json.where(), message);
