@@ -35,5 +35,14 @@ TEST(ValidUtf8, ReplacesInvalidBytes) {
   EXPECT_EQ(valid_utf8("caf\xe9.png\xc0"), "caf\xef\xbf\xbd.png\xef\xbf\xbd");
 }
 
+TEST(Printable, EndsBetweenCharacters) {
+  EXPECT_EQ(printable("wall\n"), "wall\\n");
+  const std::string sixty(60, 'a');
+  EXPECT_EQ(printable(sixty), sixty);
+  EXPECT_EQ(printable(sixty + "a"), sixty + "…");
+  // The two bytes of é are the last that fits and the first that does not.
+  EXPECT_EQ(printable(std::string(59, 'a') + "éa"), std::string(59, 'a') + "…");
+}
+
 }  // namespace
 }  // namespace ajar

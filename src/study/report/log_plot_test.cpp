@@ -56,6 +56,35 @@ TEST(LogPlot, ABarThatNearsZeroIsCut) {
       << "a decade below the lowest point";
 }
 
+TEST(LogPlot, BandsAndBarsReachFromLowToHigh) {
+  // The second curve shows where these are.
+  const std::string svg =
+      to_svg({"",
+              "",
+              "",
+              {{"a", {{1, 8, 4, 16}, {2, 8, 4, 16}}}, {"b", {{1, 4, 4, 4}, {2, 16, 16, 16}}}},
+              "",
+              ""});
+  const std::vector<Mark> found = marks(svg);
+  ASSERT_EQ(found.size(), 4U);
+  const double low = found[2].y;
+  const double high = found[3].y;
+  const auto heights_of = [&](const std::string& pattern) {
+    std::smatch path;
+    EXPECT_TRUE(std::regex_search(svg, path, std::regex(pattern)));
+    const std::string d = path[1];
+    const std::regex point("[ML][0-9.]+ ([0-9.]+)(V([0-9.]+))?");
+    std::vector<double> heights;
+    for (std::sregex_iterator k(d.begin(), d.end(), point), end; k != end; ++k) {
+      heights.push_back(std::stod((*k)[1]));
+      if ((*k)[3].matched) heights.push_back(std::stod((*k)[3]));
+    }
+    return heights;
+  };
+  EXPECT_EQ(heights_of("class=\"band\" d=\"([^\"]*)\""), (std::vector{high, high, low, low}));
+  EXPECT_EQ(heights_of("class=\"bars\" d=\"([^\"]*)\""), (std::vector{low, high, low, high}));
+}
+
 TEST(LogPlot, NamesDoNotOverlap) {
   LogPlot plot{"", "", "", {}, "", ""};
   for (int i = 0; i < 40; ++i) plot.curves.push_back({"name", {{1, 1 + i % 3 * 0.01, 1, 1}}});
