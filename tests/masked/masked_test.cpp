@@ -86,7 +86,7 @@ TEST(Masked, IsBiasedByAPilotThatIsKeptOnly) {
   test::expect_mean_over_seeds({truth.mean(), truth.standard_error(), 0.25 * truth.mean()}, 80,
                                test::mean_of_seed(*scene, options), "discard");
   options.parameters["pilot"] = "keep";
-  const Moments kept = test::means_of_other_seeds(*scene, options, 40);
+  const Moments kept = test::means_of_other_seeds(*scene, options, 80);
   EXPECT_LT(
       (kept.mean() - truth.mean()) / std::hypot(kept.standard_error(), truth.standard_error()),
       -5.0)
