@@ -9,20 +9,20 @@
 namespace ajar {
 namespace {
 
-constexpr Vec2i kSize(320, 240);
+constexpr Vec2i kPictureSize(320, 240);
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// A grey picture with the value of `at(x, y)`.
 template <typename At>
 std::vector<float> picture(At at) {
   std::vector<float> rgb;
-  for (int y = 0; y < kSize.y; ++y) {
-    for (int x = 0; x < kSize.x; ++x) rgb.insert(rgb.end(), 3, at(x, y));
+  for (int y = 0; y < kPictureSize.y; ++y) {
+    for (int x = 0; x < kPictureSize.x; ++x) rgb.insert(rgb.end(), 3, at(x, y));
   }
   return rgb;
 }
 
-float exposure_of(const std::vector<float>& rgb) { return fitting_exposure(rgb, kSize); }
+float exposure_of(const std::vector<float>& rgb) { return fitting_exposure(rgb, kPictureSize); }
 
 TEST(Exposure, BringsAnEvenPictureToMiddleGrey) {
   for (const float stops : {-20.F, -2.5F, 0.F, 0.1F, 7.F}) {
@@ -58,12 +58,12 @@ TEST(Exposure, IsNotDecidedByALampOrTheNightAround) {
 
 TEST(Exposure, LeavesThreeQuartersBelowWhite) {
   // Half of it is lit, half nearly dark: grey between them would be white in the lit half.
-  const auto halves = picture([](int x, int) { return x < kSize.x / 2 ? 1.F : 0.001F; });
+  const auto halves = picture([](int x, int) { return x < kPictureSize.x / 2 ? 1.F : 0.001F; });
   EXPECT_EQ(exposure_of(halves), 0.F);
 }
 
 TEST(Exposure, ClippingCountsBlackAndWhitePixels) {
-  const auto halves = picture([](int x, int) { return x < kSize.x / 4 ? 2.F : 0.001F; });
+  const auto halves = picture([](int x, int) { return x < kPictureSize.x / 4 ? 2.F : 0.001F; });
   EXPECT_DOUBLE_EQ(clipping(halves, ToneMap::Srgb, 0.F).white, 0.25);
   EXPECT_DOUBLE_EQ(clipping(halves, ToneMap::Srgb, 0.F).black, 0.75);
   EXPECT_DOUBLE_EQ(clipping(halves, ToneMap::Srgb, -1.1F).white, 0.0);

@@ -210,14 +210,14 @@ std::vector<fs::path> files_of(const std::string& room) {
 }
 
 /// A constant of a heuristics.h, and the comment above it.
-struct Heuristic {
+struct FittedNumber {
   std::string name;
   std::string comment;
 };
 
-std::vector<Heuristic> heuristics_of(const std::string& text) {
+std::vector<FittedNumber> heuristics_of(const std::string& text) {
   static const std::regex kDeclared(R"(static constexpr [^=]*?\b(k[A-Z]\w*) =)");
-  std::vector<Heuristic> found;
+  std::vector<FittedNumber> found;
   std::string comment;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -271,9 +271,9 @@ TEST(Heuristics, HaveUnitRangeAndSourceAndAreUsed) {
     const std::string text = text_of(source_folder() / room / "heuristics.h");
     std::string uses;
     for (const fs::path& path : files_of(room)) uses += text_of(path);
-    const std::vector<Heuristic> heuristics = heuristics_of(text);
+    const std::vector<FittedNumber> heuristics = heuristics_of(text);
     EXPECT_FALSE(heuristics.empty()) << room;
-    for (const Heuristic& heuristic : heuristics) {
+    for (const FittedNumber& heuristic : heuristics) {
       for (const char* told : {"Unit: ", "Range: ", "Source: "}) {
         EXPECT_NE(heuristic.comment.find(told), std::string::npos)
             << room << ": " << heuristic.name << " does not say its " << told;

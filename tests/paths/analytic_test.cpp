@@ -18,11 +18,11 @@ const char* const kCamera =
     "LookAt 0 0 -5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [20]";
 
 /// Mean over pixels and channels, and its standard error from replicates.
-struct Estimate {
+struct AnalyticEstimate {
   double mean;
   double standard_error;
 };
-Estimate estimate(const test::Render& picture) {
+AnalyticEstimate estimate(const test::Render& picture) {
   std::vector<double> means;
   for (int r = 0; r < picture.film->replicates(); ++r) {
     const std::vector<float> pixels = picture.replicate(r);
@@ -39,7 +39,7 @@ Estimate estimate(const test::Render& picture) {
 /// Within 5 standard errors (plus float rounding), and precise enough to notice a deviation of
 /// `power`.
 void expect_mean(const test::Render& picture, double expected, double power) {
-  const Estimate e = estimate(picture);
+  const AnalyticEstimate e = estimate(picture);
   EXPECT_NEAR(e.mean, expected, 5.0 * e.standard_error + 2e-5 * expected);
   EXPECT_LT(5.0 * e.standard_error, power * expected) << "too noisy to notice what it should";
 }
@@ -106,7 +106,7 @@ TEST(DirectLight, PointLightFollowsTheInverseSquareAndTheCosine) {
                  "Shape \"trianglemesh\" \"point P\" [-9 -9 0  9 -9 0  9 9 0  -9 9 0] \"integer "
                  "indices\" [0 1 2 0 2 3]"));
   const double expected = 0.5 / M_PI * 10.0 * (2.0 / std::sqrt(5.0)) / 5.0;
-  const Estimate e = estimate(render(*scene, samples(8)));
+  const AnalyticEstimate e = estimate(render(*scene, samples(8)));
   EXPECT_NEAR(e.mean, expected, 1e-4 * expected);
 }
 

@@ -95,14 +95,14 @@ BlockTest compare(const std::vector<float>& a, const std::vector<float>& b, int 
 }
 
 /// A scene, and a method that can find all of its light.
-struct Case {
+struct ReferenceCase {
   std::string name;
   std::string integrator;
   int samples;  ///< per pixel
   /// Half of the blocks would show a deviation of this share, however it arises.
   double power;
 };
-std::ostream& operator<<(std::ostream& out, const Case& c) {
+std::ostream& operator<<(std::ostream& out, const ReferenceCase& c) {
   return out << c.name << " by " << c.integrator;
 }
 
@@ -114,7 +114,7 @@ struct Tried {
   double power = 0.06;
 };
 
-std::vector<Case> cases() {
+std::vector<ReferenceCase> reference_cases() {
   const std::string in_mirrors = "the lens sees something in a mirror or through glass";
   // Block (272, 96): 6 % more light by all seeds of both, z = 6; and by pt, after 65 536 samples.
   const std::string missed = "path tracing made the reference, and has hardly found what they do";
@@ -128,7 +128,7 @@ std::vector<Case> cases() {
        {{"pt", "it does not converge"}, {"lt", in_mirrors}, {"ibpt", among_bdpt}},
        32,
        0.12}};
-  std::vector<Case> cases;
+  std::vector<ReferenceCase> cases;
   for (const Tried& tried : scenes) {
     std::map<std::string, std::string> excused = tried.excused;
     for (const std::string& method : test::methods_but({})) {
@@ -145,12 +145,12 @@ std::vector<Case> cases() {
   return cases;
 }
 
-class References : public ::testing::TestWithParam<Case> {};
+class References : public ::testing::TestWithParam<ReferenceCase> {};
 
 TEST_P(References, AgreeInMeanAndInBlocks) {
   const auto shared = test::shared_folder();
   if (!shared) GTEST_SKIP() << test::kNoSharedFolder;
-  const Case& tried = GetParam();
+  const ReferenceCase& tried = GetParam();
   const std::optional<Reference> reference = find_reference(*shared, tried.name);
   ASSERT_TRUE(reference) << "the index does not have " << tried.name;
   Warnings warnings;
@@ -182,11 +182,12 @@ TEST_P(References, AgreeInMeanAndInBlocks) {
   EXPECT_LT(5.5 * test.median_relative_error, tried.power);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, References, ::testing::ValuesIn(cases()), [](const auto& test) {
-  std::string name = test.param.name + "_" + test.param.integrator;
-  std::erase(name, '-');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Shared, References, ::testing::ValuesIn(reference_cases()),
+                         [](const auto& test) {
+                           std::string name = test.param.name + "_" + test.param.integrator;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace ajar

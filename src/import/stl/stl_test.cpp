@@ -22,7 +22,7 @@ std::string binary(std::uint32_t count, std::uint32_t written) {
   return bytes;
 }
 
-std::string error_of(std::string_view bytes) {
+std::string stl_error(std::string_view bytes) {
   try {
     read_stl(bytes, "a.stl");
   } catch (const SceneError& error) {
@@ -76,10 +76,10 @@ TEST(Stl, BinaryHeadersMayBeginLikeAscii) {
 }
 
 TEST(Stl, TruncatedBinaryFilesAreErrorsWithTheMissingCount) {
-  EXPECT_EQ(error_of(binary(3, 2)),
+  EXPECT_EQ(stl_error(binary(3, 2)),
             "a.stl: the file ends early: 3 triangles need 234 bytes, and there are 184");
-  EXPECT_TRUE(error_of(binary(0xffffffffU, 1)).find("ends early") != std::string::npos);
-  EXPECT_TRUE(error_of("").find("no STL file") != std::string::npos);
+  EXPECT_TRUE(stl_error(binary(0xffffffffU, 1)).find("ends early") != std::string::npos);
+  EXPECT_TRUE(stl_error("").find("no STL file") != std::string::npos);
 }
 
 TEST(Stl, AsciiTrianglesAreRead) {
@@ -92,9 +92,9 @@ TEST(Stl, AsciiTrianglesAreRead) {
 TEST(Stl, AsciiErrorsHaveLineAndColumn) {
   std::string text = kAscii;
   text.replace(text.find("+1e0"), 4, "one!");
-  EXPECT_EQ(error_of(text), "a.stl:5:11: expected a number, found \"one!\"");
-  EXPECT_EQ(error_of(kAscii.substr(0, 60)).substr(0, 8), "a.stl:4:");
-  EXPECT_EQ(error_of("solid x\nfacet"),
+  EXPECT_EQ(stl_error(text), "a.stl:5:11: expected a number, found \"one!\"");
+  EXPECT_EQ(stl_error(kAscii.substr(0, 60)).substr(0, 8), "a.stl:4:");
+  EXPECT_EQ(stl_error("solid x\nfacet"),
             "a.stl:2:6: expected \"normal\", found the end of the file");
 }
 

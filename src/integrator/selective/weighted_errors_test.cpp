@@ -5,17 +5,17 @@
 namespace ajar {
 namespace {
 
-const Box2i kCrop(Vec2i(3, 5), Vec2i(4, 5));
+const Box2i kTwoPixels(Vec2i(3, 5), Vec2i(4, 5));
 
 TEST(WeightedErrors, WeighLuminanceByImportance) {
   // Two pixels; weights are scaled to a mean of 1.
-  const ImportanceMap importance(kCrop, {3.F, 1.F});
+  const ImportanceMap importance(kTwoPixels, {3.F, 1.F});
   const Replicates replicates = {{1.F, 1.F, 1.F, 2.F, 2.F, 2.F}, {3.F, 3.F, 3.F, 2.F, 2.F, 2.F}};
-  const auto light = weighted_light(replicates, kCrop, importance);
+  const auto light = weighted_light(replicates, kTwoPixels, importance);
   EXPECT_NEAR(light[0][0], 1.5F, 1e-5F);
   EXPECT_NEAR(light[1][0], 4.5F, 1e-5F);
   EXPECT_NEAR(light[0][1], 1.F, 1e-5F);
-  const WeightedErrors errors = weighted_errors(replicates, kCrop, importance);
+  const WeightedErrors errors = weighted_errors(replicates, kTwoPixels, importance);
   EXPECT_NEAR(errors.light[0], 3.0, 1e-5);
   EXPECT_NEAR(errors.variance[0], 2.25, 1e-5);  // half the variance of 1.5 and 4.5
   EXPECT_NEAR(errors.variance[1], 0.0, 1e-9);

@@ -13,7 +13,7 @@
 namespace ajar {
 namespace {
 
-struct Case {
+struct QuadricCase {
   std::string name;
   Quadric quadric;
   /// Zero on the untrimmed surface.
@@ -27,8 +27,8 @@ double angle(const Vec3d& p) {
   return phi < 0.0 ? phi + 360.0 : phi;
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<QuadricCase> quadric_cases() {
+  std::vector<QuadricCase> all;
   const auto sphere = [](const Vec3d& p) { return p.dot(p) - 4.0; };
   all.push_back({"sphere", *testing::quadric_of(testing::sphere_node(2, -2, 2, 360)), sphere,
                  [](const Vec3d&) { return true; }});
@@ -68,7 +68,8 @@ std::vector<Case> cases() {
 }
 
 /// Roots by marching along the ray and bisecting sign changes.
-std::vector<double> march(const Case& c, const Vec3d& o, const Vec3d& d, double from, double to) {
+std::vector<double> march(const QuadricCase& c, const Vec3d& o, const Vec3d& d, double from,
+                          double to) {
   constexpr int kSteps = 4000;
   std::vector<double> roots;
   double a = from;
@@ -93,7 +94,7 @@ std::vector<double> march(const Case& c, const Vec3d& o, const Vec3d& d, double 
 
 TEST(Quadric, RootsAgreeWithMarching) {
   Rng rng(1);
-  for (const Case& c : cases()) {
+  for (const QuadricCase& c : quadric_cases()) {
     int with_roots = 0;
     for (int i = 0; i < 300; ++i) {
       const Vec3d o(8.0 * rng.next() - 4.0, 8.0 * rng.next() - 4.0, 8.0 * rng.next() - 4.0);
@@ -127,7 +128,7 @@ TEST(Quadric, StaysExactFromFarAway) {
 
 TEST(Quadric, ParametersInvertPosition) {
   Rng rng(2);
-  for (const Case& c : cases()) {
+  for (const QuadricCase& c : quadric_cases()) {
     for (int i = 0; i < 200; ++i) {
       const Imath::V2d uv(0.001 + 0.998 * rng.next(), 0.001 + 0.998 * rng.next());
       const Quadric::Point at = c.quadric.at(uv);
@@ -158,7 +159,7 @@ TEST(Quadric, DisksHaveTheCoordinatesThatTheyName) {
 TEST(Quadric, DerivativesMatchDifferences) {
   Rng rng(3);
   constexpr double kStep = 1e-5;
-  for (const Case& c : cases()) {
+  for (const QuadricCase& c : quadric_cases()) {
     for (int i = 0; i < 100; ++i) {
       const Imath::V2d uv(0.05 + 0.9 * rng.next(), 0.05 + 0.9 * rng.next());
       const Quadric::Point at = c.quadric.at(uv);
@@ -193,7 +194,7 @@ TEST(Quadric, PolesHaveNormalsAndTangents) {
 }
 
 TEST(Quadric, AreaMatchesQuadrature) {
-  for (const Case& c : cases()) {
+  for (const QuadricCase& c : quadric_cases()) {
     constexpr int kSteps = 2000;
     double sum = 0.0;
     for (int i = 0; i < kSteps; ++i) {

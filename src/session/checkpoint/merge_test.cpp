@@ -13,7 +13,7 @@ namespace ajar {
 namespace {
 
 const Vec2i kMergedSize(13, 7);
-constexpr int kReplicates = 4;
+constexpr int kMergedReplicates = 4;
 
 NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkSlice share = {},
                      double magnitude = 1.0, bool uneven = false) {
@@ -23,15 +23,15 @@ NamedCheckpoint part(std::uint64_t seed, std::uint64_t samples, WorkSlice share 
   RenderSettings& settings = checkpoint.render.settings;
   settings.resolution = kMergedSize;
   settings.crop = Box2i(Vec2i(0, 0), kMergedSize - Vec2i(1, 1));
-  settings.replicates = kReplicates;
+  settings.replicates = kMergedReplicates;
   settings.seed = seed;
   checkpoint.render.spec.share = share;
-  TestIntegrator integrator(kMergedSize, kReplicates);
+  TestIntegrator integrator(kMergedSize, kMergedReplicates);
   integrator.uneven = uneven;
   integrator.first_number = seed * 100000;
   std::vector<LayerSpec> layers = integrator.layers();
   for (LayerSpec& layer : layers) layer.magnitude = magnitude;
-  Film film(kMergedSize, settings.crop, Filter::box(), kReplicates, layers);
+  Film film(kMergedSize, settings.crop, Filter::box(), kMergedReplicates, layers);
   RenderJobOptions options;
   options.budget.samples_per_pixel = samples;
   options.threads = 2;

@@ -9,22 +9,23 @@
 namespace ajar {
 namespace {
 
-const Box2i kCrop(Vec2i(10, 20), Vec2i(109, 69));  // 100 × 50
+const Box2i kEstimatedCrop(Vec2i(10, 20), Vec2i(109, 69));  // 100 × 50
 
 TEST(MemoryEstimate, OfAFilmIsWhatAFilmTakes) {
   const std::vector<LayerSpec> layers = {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"},
                                          LayerSpec{.name = "albedo", .has_replicates = false}};
-  const Film film(Vec2i(200, 100), kCrop, Filter::box(), 4, layers);
-  EXPECT_EQ(film_bytes(kCrop, 4, layers), film.bytes());
+  const Film film(Vec2i(200, 100), kEstimatedCrop, Filter::box(), 4, layers);
+  EXPECT_EQ(film_bytes(kEstimatedCrop, 4, layers), film.bytes());
   EXPECT_EQ(film.bytes(), 100U * 50U * 3U * 8U * 9U);
 }
 
 TEST(MemoryEstimate, OfPicturesCountsWhatIsShown) {
   const std::vector<LayerSpec> layers = {LayerSpec{.name = "direct"}, LayerSpec{.name = "indirect"},
                                          LayerSpec{.name = "weak", .part_of = "indirect"}};
-  const std::uint64_t plain = picture_bytes(kCrop, 4, layers, {});
+  const std::uint64_t plain = picture_bytes(kEstimatedCrop, 4, layers, {});
   EXPECT_EQ(plain, 100U * 50U * error_estimate_bytes(4)) << "more than 12 · 3 · 3";
-  EXPECT_EQ(picture_bytes(kCrop, 4, layers, {"replicates", "samples"}), 100U * 50U * 12U * 3U * 8U);
+  EXPECT_EQ(picture_bytes(kEstimatedCrop, 4, layers, {"replicates", "samples"}),
+            100U * 50U * 12U * 3U * 8U);
 }
 
 TEST(MemoryEstimate, ComplainsOnlyOfWhatIsNotThere) {
