@@ -166,6 +166,23 @@ void Geometry::leave_out_derivatives(std::size_t shape) { shapes_[shape].derivat
 std::size_t Geometry::shape_count() const { return shapes_.size(); }
 bool Geometry::has_shape(std::size_t shape) const { return shapes_[shape].present(); }
 
+bool Geometry::has_place_of(const GeometryHit& hit) const {
+  if (hit.shape >= shapes_.size() || hit.instance_id > instances_.size()) return false;
+  if (hit.instance_id == 0) {
+    if (hit.shape >= object_base_.front()) return false;
+  } else {
+    const InstanceRecord& instance = instances_[hit.instance_id - 1];
+    if (!instance.placement || hit.shape < object_base_[instance.object] ||
+        hit.shape >= object_base_[instance.object + 1]) {
+      return false;
+    }
+  }
+  const ShapeRecord& record = shapes_[hit.shape];
+  if (record.mesh) return hit.point.primitive < record.mesh->triangle_count();
+  if (record.curve) return hit.point.primitive < record.curve->segment_count();
+  return record.quadric.has_value();
+}
+
 std::unique_ptr<SurfaceSampler> Geometry::make_sampler(std::size_t shape) const {
   const ShapeRecord& record = shapes_[shape];
   if (record.mesh) return make_surface_sampler(*record.mesh);

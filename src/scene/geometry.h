@@ -79,6 +79,8 @@ class Geometry {
   std::size_t shape_count() const;
   /// False if the shape was dropped (or belongs to an object that nothing places).
   bool has_shape(std::size_t shape) const;
+  /// True if there is a place for the hit: its shape, the instance that has it, and its primitive.
+  bool has_place_of(const GeometryHit& hit) const;
   /// Null if the shape cannot emit: it has no area, was dropped, or is a curve.
   std::unique_ptr<SurfaceSampler> make_sampler(std::size_t shape) const;
 

@@ -39,6 +39,13 @@ TEST(Geometry, ReportsDistanceShapeAndPoint) {
   const auto box = world.hit({0.25F, 0.5F, -4}, {0, 0, 1});
   ASSERT_TRUE(box);
   EXPECT_EQ(box->shape, 1U);
+  EXPECT_TRUE(world.geometry->has_place_of(*box));
+  GeometryHit beyond = *box;
+  beyond.point.primitive = 12;
+  EXPECT_FALSE(world.geometry->has_place_of(beyond)) << "a cube has triangles 0 to 11";
+  beyond = *box;
+  beyond.shape = 2;
+  EXPECT_FALSE(world.geometry->has_place_of(beyond));
   EXPECT_EQ(box->instance_id, 0U);
   EXPECT_NEAR(box->t, 3.F, 1e-6F);
   EXPECT_LT(length(box->point.p - Vec3(0.25F, 0.5F, -1)), 1e-6F);
@@ -323,6 +330,12 @@ TEST(Instances, PlacePointsAndNormalsAsBakedShapesDo) {
     if (!a || !b) continue;
     ++hits;
     ASSERT_EQ(a->instance_id, 2U);
+    EXPECT_TRUE(world.geometry->has_place_of(*a));
+    for (const std::uint32_t instance : {0U, 1U, 3U, ~0U}) {
+      GeometryHit elsewhere = *a;
+      elsewhere.instance_id = instance;
+      EXPECT_EQ(world.geometry->has_place_of(elsewhere), instance == 1U) << instance;
+    }
     ASSERT_EQ(a->shape - 1, b->shape);
     ASSERT_LT(length(a->point.p - b->point.p), 1e-4F);
     ASSERT_GT(dot(a->point.ng, b->point.ng), 0.9999F);

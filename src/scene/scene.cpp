@@ -218,7 +218,7 @@ bool Scene::intersect(const Ray& ray, Hit& hit) const {
 }
 
 std::optional<Hit> Scene::recall(const GeometryHit& hit) const {
-  if (hit.shape >= surfaces_.size() || !geometry_->has_shape(hit.shape)) return std::nullopt;
+  if (!geometry_->has_place_of(hit)) return std::nullopt;
   std::optional<Hit> result(std::in_place);
   static_cast<GeometryHit&>(*result) = hit;
   complete(*result);
