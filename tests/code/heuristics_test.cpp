@@ -165,6 +165,8 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"integrator/selective/chain_check.cpp", {"limit of a type", {"kMostSamples"}}},
       {"integrator/selective/sample_allocation.cpp", {"rounding", {"kRounding"}}},
       {"integrator/selective/preparation.cpp", {"rounding", {"kRounding"}}},
+      {"integrator/selective/preparation.h", {"1 over another", {"kMostMutations"}}},
+      {"integrator/selective/chain_fraction.cpp", {"statistics that decide nothing", {"kCell"}}},
       {"integrator/selective/config.cpp", {"number of replicates", {"kTwoHalves"}}},
       {"integrator/selective/division_pilot.cpp", {"number of replicates", {"kReplicates"}}},
       {"integrator/selective/technique_pilot.cpp", {"index", {"kUsual"}}},

@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <memory>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "support/render.h"
@@ -13,16 +12,14 @@
 namespace ajar {
 namespace {
 
-using Pictures = std::vector<std::vector<float>>;
-
 /// One mutation per pixel and sample, until the effort is shared. Two replicates.
 class SampleAllocationTest : public ::testing::Test {
  protected:
-  SampleAllocationTest()
+  explicit SampleAllocationTest(const std::string& objective = "filtered")
       : scene_(test::scene_from(test::small_scene("Room").text)),
-        prepared_(SelectiveConfig(*scene_,
-                                  test::settings_of(*scene_, {.replicates = 2, .max_depth = 6}),
-                                  Parameters(SelectiveConfig::parameters(), {}))),
+        prepared_(
+            SelectiveConfig(*scene_, test::settings_of(*scene_, {.replicates = 2, .max_depth = 6}),
+                            Parameters(SelectiveConfig::parameters(), {{"objective", objective}}))),
         pixels_(prepared_.pixels()),
         effort_(prepared_) {
     prepared_.mutations = 1.0;
@@ -35,28 +32,17 @@ class SampleAllocationTest : public ::testing::Test {
   WeightedErrors errors(double variance) const {
     return {std::vector<double>(pixels_, variance), std::vector<double>(pixels_, 1.0)};
   }
-  /// Two pictures of which the mean has this variance.
-  static Pictures pictures_of(const std::vector<double>& variance) {
-    Pictures pictures(2);
-    for (const double of_pixel : variance) {
-      pictures[0].push_back(static_cast<float>(std::sqrt(of_pixel)));
-      pictures[1].push_back(-pictures[0].back());
-    }
-    return pictures;
-  }
   /// Per pixel and sample, after the effort has been shared at `samples`.
   double mutations_after(std::uint64_t samples) const {
     return effort_.mutations(samples + 1) - effort_.mutations(samples);
   }
   /// If chains are far off in one pixel of a hundred, and all have noise of ordinary Monte Carlo.
-  double mutations_with_few_bad_pixels(bool by_eye) {
+  double mutations_with_few_bad_pixels() {
     const WeightedErrors of_omc = errors(1.0);
     WeightedErrors of_chains = errors(0.0);
     // More than are left out of sums of squares.
     for (std::size_t i = 0; i < pixels_ / 100; ++i) of_chains.variance[i] = 1e4;
-    std::optional<SampleAllocation::Seen> seen;
-    if (by_eye) seen = {pictures_of(of_omc.variance), pictures_of(of_chains.variance)};
-    effort_.adjust(16, of_omc, of_chains, seen);
+    effort_.adjust(16, of_omc, of_chains);
     return mutations_after(16);
   }
   std::unique_ptr<Scene> scene_;
@@ -65,12 +51,17 @@ class SampleAllocationTest : public ::testing::Test {
   SampleAllocation effort_;
 };
 
-TEST_F(SampleAllocationTest, IsForTheLeastSquaredError) {
-  EXPECT_GT(mutations_with_few_bad_pixels(false), 2.0);
+class SampleAllocationOfRawPictures : public SampleAllocationTest {
+ protected:
+  SampleAllocationOfRawPictures() : SampleAllocationTest("raw") {}
+};
+
+TEST_F(SampleAllocationOfRawPictures, IsForTheLeastSquaredError) {
+  EXPECT_GT(mutations_with_few_bad_pixels(), 2.0);
 }
 
 TEST_F(SampleAllocationTest, IsForTheLeastThatCanBeSeen) {
-  EXPECT_LT(mutations_with_few_bad_pixels(true), 0.5);
+  EXPECT_LT(mutations_with_few_bad_pixels(), 0.5);
 }
 
 TEST_F(SampleAllocationTest, GivesReplicatesTheirShares) {

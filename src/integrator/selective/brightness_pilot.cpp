@@ -14,10 +14,6 @@ namespace ajar {
 
 namespace {
 
-std::uint64_t samples_per_pixel(const SelectiveConfig& config) {
-  return config.pixels() < SelectiveHeuristics::kPixelsToTellBrightness ? 2 : 1;
-}
-
 /// Mean of luminance · importance.
 double mean_strength(const std::vector<float>& luminances, const Box2i& crop,
                      const ImportanceMap& importance) {
@@ -38,9 +34,7 @@ double mean_strength(const std::vector<float>& luminances, const Box2i& crop,
 BrightnessPilot::BrightnessPilot(const SelectivePreparation& prepared) : prepared_(prepared) {}
 
 double BrightnessPilot::effort() const {
-  const SelectiveConfig& config = prepared_.config;
-  return static_cast<double>(samples_per_pixel(config)) *
-         effort_with(config.omc.light_paths_per_pixel);
+  return effort_with(prepared_.config.omc.light_paths_per_pixel);
 }
 
 std::uint64_t BrightnessPilot::begin() {
@@ -59,13 +53,12 @@ std::uint64_t BrightnessPilot::begin() {
 
 void BrightnessPilot::run(std::uint64_t item, Counters& counters) {
   Counters own;
-  omc_->run_item(item, 0, samples_per_pixel(prepared_.config), *film_, own);
+  omc_->run_item(item, 0, 1, *film_, own);
   counters.add_rays(own);
 }
 
 std::vector<float> BrightnessPilot::colors(const char* layer) const {
-  return film_->develop(film_->layer(layer),
-                        1.0 / static_cast<double>(samples_per_pixel(prepared_.config)));
+  return film_->develop(film_->layer(layer), 1.0);
 }
 
 void BrightnessPilot::end() {

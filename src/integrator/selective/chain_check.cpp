@@ -27,9 +27,8 @@ void check_population(const ChainPopulation& population, const SelectivePreparat
   const auto replicates = static_cast<std::uint64_t>(prepared.config.settings.replicates);
   // A pass that was cut short may have come as far as this; each sample has a step at least.
   const auto passes = static_cast<double>(milestone_after(samples, replicates));
-  const double most_steps =
-      passes * (1.0 + std::max(prepared.mutations, SelectiveHeuristics::kMostMutations) *
-                          static_cast<double>(prepared.pixels()));
+  const double most_steps = passes * (1.0 + std::max(prepared.mutations, kMostMutations) *
+                                                static_cast<double>(prepared.pixels()));
   const PathGroup& group = prepared.groups()[population.group];
   check_record(population.retired, group, moves_of(group).size());
   constexpr double kMostSamples = 0x1p63;

@@ -4,14 +4,15 @@
 #include <numeric>
 
 #include "image/pixel_at.h"
-#include "integrator/selective/heuristics.h"
 #include "integrator/selective/weighted_errors.h"
 
 namespace ajar {
 
 namespace {
 
-constexpr int kCell = SelectiveHeuristics::kShareCell;
+/// Pixels across. Over the whole picture, fireflies of the pilot would make the share 100 % of
+/// pool.
+constexpr int kCell = 16;
 
 struct Cell {
   double light = 0.0;

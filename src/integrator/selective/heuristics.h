@@ -22,10 +22,9 @@ struct SelectiveHeuristics {
   /// without it, up to 10, torus-in-glass has 1/0.98 of error and FLIP.
   static constexpr double kHighestThreshold = 30.0;
 
-  /// Paths that bring more are evidence of what a region has for chains (kFewestOfRegion), and
-  /// count as this where a pilot measures errors: what is brighter is rare, and for chains to deal
-  /// with. Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Constants"; cbffe58:
-  /// without a bound, fireflies decided between ibpt and bdpt on bathroom.
+  /// Paths that bring more count as this where a pilot measures errors: what is brighter is rare,
+  /// and for chains to deal with. Unit: brightness. Range: > 0. Source: docs/notebook/selective.md,
+  /// "Constants"; cbffe58: without a bound, fireflies decided between ibpt and bdpt on bathroom.
   static constexpr double kBright = 3.0;
   /// Display white: brighter light looks no worse. Chains for fireflies only have it for T (with a
   /// number for `split`, so many times that), large steps do not learn from more, and paths count
@@ -45,24 +44,14 @@ struct SelectiveHeuristics {
   // Error over error, of chains, of which blotches are to be feared. Techniques of ordinary Monte
   // Carlo all leave even noise: of them the better one is taken.
 
-  /// Chains should bring clearly more than they cost, since what they leave are blotches: of a gain
+  /// Chains should bring clearly more than they cost, and the more they bring, the more they are
+  /// trusted, since what they leave are blotches: of a gain
   /// of 0.8, as predicted and found on door-ajar and floor-lamps, nothing is seen, and after a blur
   /// of four pixels the error is up to six times as large.
   /// Unit: predicted error with chains over that without. Range: (0, 1]. Source:
   /// docs/notebook/selective.md, "Whether chains pay": on door-ajar FLIP is 0.141 with such chains,
   /// 0.127 without. 0.9 before.
   static constexpr double kClearGain = 0.7;
-  /// Around a gain that is clear enough it is a matter of degree: below kClearGain by this much,
-  /// chains are trusted altogether.
-  /// Unit: the same. Range: (0, kClearGain]. Source: e777c94 (0.1 around 1 before): by degrees, no
-  /// render of 64 of door-ajar has chains in one half of the replicates alone. Half and double not
-  /// measured.
-  static constexpr double kDoubtfulGains = 0.15;
-  // -------------------------------------------------------- first pilot: how bright it is
-  /// Pictures of fewer pixels have two samples of each, to show how bright they are; others one.
-  /// Unit: pixels. Range: > 0. Source: e51f759, for a shorter preparation; half and double not
-  /// measured.
-  static constexpr std::uint64_t kPixelsToTellBrightness = 8192;
 
   // -------------------------------------------------------- pilot of techniques
   //
@@ -72,30 +61,26 @@ struct SelectiveHeuristics {
 
   /// Strong paths are no rarer with inner connections than without, if these find so much of them.
   /// Unit: strong squares over strong squares. Range: (0, 1]. Source: 70ce179: two of six renders
-  /// of pool had ibpt, with two to three times the error. The value has no study.
+  /// of pool had ibpt, with two to three times the error. Half and double tell nothing
+  /// (docs/notebook/selective.md, "Half and double").
   static constexpr double kNoRarer = 0.8;
   /// There are so many strong paths that they are for chains.
-  /// Unit: share. Range: > 0. Source: 70ce179; half and double not measured.
+  /// Unit: share. Range: > 0. Source: 70ce179; half and double: as before.
   static constexpr double kMuchStrong = 0.3;
   /// Light subpaths find so much that fewer of them would seldom find it: neither a pilot nor
   /// chains would know of it.
   /// Unit: share. Range: > 0. Source: cbffe58, e431c44: pool with a twentieth of the light subpaths
-  /// has 1.8 times the error. Half and double not measured.
+  /// has 1.8 times the error; half and double: as before.
   static constexpr double kMuchFromLight = 0.2;
   /// Where strong paths are for chains, these need the techniques that find what they start from,
   /// however little.
   /// Unit: share. Range: >= 0. Source: e431c44: each of ten pilots finds that much on pool, none on
   /// torus-in-glass and teapot-full.
   static constexpr double kAnyInner = 0.005;
-  /// The pixels of a picture that are rendered with each offer are one of so many, within the
-  /// bounds that follow: enough to tell errors that differ by a tenth.
-  /// Unit: pixels per pixel. Range: >= 1. Source: 8fdd9d2: with 16 it missed what four light
-  /// subpaths bring to floor-lamps in three of five renders of 128x96.
-  static constexpr double kOnePixelOf = 8.0;
-  /// Unit: pixels. Range: > 0. Source: 5b5c42c, 8fdd9d2; set by hand, no study.
-  static constexpr double kFewestTrialPixels = 1536.0;
-  /// Unit: pixels. Range: >= kFewestTrialPixels. Source: the same.
-  static constexpr double kMostTrialPixels = 4096.0;
+  /// Pixels that are rendered with each offer: enough to tell errors that differ by a tenth.
+  /// Unit: pixels. Range: > 0. Source: docs/notebook/selective.md, "Half and double"; 8fdd9d2: with
+  /// 768 it missed what four light subpaths bring to floor-lamps in three of five renders.
+  static constexpr double kTrialPixels = 2048.0;
   /// Light subpaths per camera sample where one is better than few.
   /// Unit: subpaths. Range: > 1. Source: docs/notebook/selective.md,
   /// "Which techniques": error on floor-lamps 0.74 with 2, 0.69 with 4; on veach-bidir 0.95, 1.0
@@ -104,7 +89,7 @@ struct SelectiveHeuristics {
 
   // -------------------------------------------------------- pilot of roulette
   /// Places on the film with two camera samples each.
-  /// Unit: places. Range: a multiple of 16. Source: twice as many before 70ce179; no study.
+  /// Unit: places. Range: a multiple of 16. Source: docs/notebook/selective.md, "Half and double".
   static constexpr std::uint64_t kRoulettePlaces = 2048;
   /// The price that the pilot itself has, which is its Λ: what it is about in most scenes, so that
   /// roulette is much as it will be.
@@ -120,17 +105,15 @@ struct SelectiveHeuristics {
   static constexpr std::uint64_t kPilotSamples = 65536;
   /// Unit: samples per pixel. Range: >= 2. Source: the same.
   static constexpr std::uint64_t kFewestOfPixel = 4;
-  /// Unit: samples per pixel. Range: >= kFewestOfPixel. Source: the same; double not measured.
+  /// Unit: samples per pixel. Range: >= kFewestOfPixel. Source: docs/notebook/selective.md, "Half
+  /// and double": without it the pilot of 32x32 pixels has a third of 192 samples, and rates that
+  /// adapt help no more.
   static constexpr std::uint64_t kMostOfPixel = 16;
   /// Threshold of Russian roulette, below which paths survive in proportion to what they carry. Its
   /// noise counts in the few samples of a pilot; this threshold keeps about one path per sample.
   /// Unit: brightness. Range: > 0. Source: 3ed3aa3: at 1, roulette is a third of the variance on
   /// cornell-box.
   static constexpr double kPilotRoulette = 0.25;
-  /// Regions with fewer bright paths choose together with others of their material, or with all:
-  /// their choice would follow the pilot's noise.
-  /// Unit: paths (kBright). Range: > 0. Source: 771f36f; half and double not measured.
-  static constexpr std::size_t kFewestOfRegion = 50;
   /// Trimming of variances: the worst of so many pixels are left out, since chains' errors are in
   /// few. Unit: pixels. Range: > 1. Source: 3ed3aa3: trials on door-ajar, torus-in-glass, pool and
   /// teapot-full show a C of 4 to 5 without the worst of 100, and of 10, 7, 6 and 16 without that
@@ -161,7 +144,8 @@ struct SelectiveHeuristics {
   /// connections are tried".
   static constexpr double kManifoldTries = 1.0 / 128.0;
   /// The part of a camera sample's rays that one light subpath has.
-  /// Unit: share. Range: (0, 1). Source: an estimate, for the time of a preparation only.
+  /// Unit: share. Range: (0, 1). Source: docs/notebook/selective.md, "Half and double": 0.26 to
+  /// 0.61 of the rays of `bdpt`. The time of a preparation follows from it, no picture.
   static constexpr double kEffortOfLight = 0.5;
 
   // -------------------------------------------------------- number of chains
@@ -176,8 +160,9 @@ struct SelectiveHeuristics {
   /// about twice as many 0.282 to 0.298 and 0.064 to 0.065. Finished pictures are alike within a
   /// quarter and four times as many (docs/notebook/selective.md, "Tried and left").
   static constexpr std::uint64_t kStepsOfChain = 144;
-  /// Unit: chains of a replicate. Range: >= 1. Source: 9a8cb07: two depended on luck. The value has
-  /// no study.
+  /// Unit: chains of a replicate. Range: >= 1. Source: docs/notebook/selective.md, "Half and
+  /// double": half and double tell nothing, but with 1 the error of blotches on door-ajar is 1.16
+  /// of what it was.
   static constexpr std::uint64_t kFewestChains = 32;
   /// Mutations expected to pay in a picture all of whose light is the chains'. There are as many
   /// chains as if so many paid, as long as they do not take much memory: few of them, for what
@@ -193,25 +178,15 @@ struct SelectiveHeuristics {
 
   // -------------------------------------------------------- seeds
   /// What chains make of a picture is at least this share of it, as far as memory is concerned.
-  /// Unit: share of the brightness. Range: (0, 1]. Source: e243d5c; set by hand, no study.
+  /// Unit: share of the brightness. Range: (0, 1]. Source: docs/notebook/selective.md, "Half and
+  /// double": 0 to twice as much leave the same errors, so it bounds memory alone.
   static constexpr double kLeastShareOfChains = 0.02;
 
   // -------------------------------------------------------- effort, as the render goes on
-  /// Bounds on mutations, this and the next one: neither estimator starves.
-  /// Unit: mutations per pixel and sample. Range: > 0. Source: 5b5c42c: four times as many cost
+  /// Bound on mutations, and 1 over this the other: neither estimator starves.
+  /// Unit: mutations per pixel and sample. Range: (0, 1). Source: 5b5c42c: four times as many cost
   /// pictures in which nothing is hard.
   static constexpr double kFewestMutations = 1.0 / 128;
-  /// Unit: mutations per pixel and sample. Range: > kFewestMutations. Source: set by hand, no
-  /// study.
-  static constexpr double kMostMutations = 16.0;
-  /// Few replicates tell an error to within a factor: effort changes no more at a time.
-  /// Unit: factor. Range: >= 1. Source: 771f36f; half and double not measured.
-  static constexpr double kMostChange = 5.0;
-  /// Errors are seen through a square of this side: the eye smooths noise, not blotches.
-  /// Unit: pixels. Range: odd, >= 1. Source: docs/notebook/selective.md, "What mutations are
-  /// worth"; 5 not measured.
-  static constexpr std::size_t kSeenThrough = 3;
-
   // -------------------------------------------------------- how chains move
   /// Probability of a step that makes the whole path afresh.
   /// Unit: probability. Range: (0, 1]. Source: docs/notebook/chains.md, "Steps, and what they are
@@ -233,12 +208,6 @@ struct SelectiveHeuristics {
   /// Threshold up to which that is so.
   /// Unit: brightness. Range: >= 0. Source: the same; a value of kThresholds.
   static constexpr double kNearlyAllLight = 0.3;
-
-  // -------------------------------------------------------- what is told, and decides nothing
-  /// Squares of the picture over which the share of chains is averaged. Over the whole, fireflies
-  /// of the pilot would make it 100 % of pool.
-  /// Unit: pixels across. Range: >= 1. Source: 5efbc33; half and double not measured.
-  static constexpr int kShareCell = 16;
 };
 
 }  // namespace ajar

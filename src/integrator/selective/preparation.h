@@ -98,9 +98,9 @@ inline double effort_with(double light_paths_per_pixel) {
 }
 
 /// Bounds on mutations per pixel and sample: neither estimator starves.
+constexpr double kMostMutations = 1.0 / SelectiveHeuristics::kFewestMutations;
 inline double clamp_mutations(double mutations) {
-  return std::clamp(mutations, SelectiveHeuristics::kFewestMutations,
-                    SelectiveHeuristics::kMostMutations);
+  return std::clamp(mutations, SelectiveHeuristics::kFewestMutations, kMostMutations);
 }
 
 }  // namespace ajar

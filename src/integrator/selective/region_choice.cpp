@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "image/pixel_at.h"
@@ -16,11 +15,6 @@
 namespace ajar {
 
 namespace {
-
-bool is_seen(const PilotView& view, int replicate) {
-  return std::find(view.replicates.begin(), view.replicates.end(), replicate) !=
-         view.replicates.end();
-}
 
 /// Samples per pixel of the replicates that are seen.
 double seen_samples(const PilotView& view) {
@@ -150,66 +144,13 @@ std::vector<ThresholdEstimate> estimate_thresholds(const PilotView& view,
   return regions;
 }
 
-/// Groups regions of which the pilot has seen too little to tell them apart with others of
-/// their material, and if that is still too little, with all such: the choice for a region would
-/// otherwise follow its noise.
-std::vector<std::size_t> group_regions(const PilotView& view) {
-  std::vector<std::size_t> seen(view.regions().count());
-  std::map<std::uint32_t, std::size_t> seen_of_material;
-  for (const PilotPath& found : view.found) {
-    if (!is_seen(view, found.replicate)) continue;
-    if (static_cast<double>(found.strength) <
-        SelectiveHeuristics::kBright * view.prepared.brightness) {
-      continue;
-    }
-    const std::uint32_t region =
-        view.regions().labels[pixel_at(view.prepared.config.settings.crop, found.raster)];
-    ++seen[region];
-    ++seen_of_material[view.regions().identities[region].material];
+/// Estimates of what can be chosen: all but the last, by which chains would make nothing.
+std::vector<ThresholdEstimate> with_chains(std::vector<ThresholdEstimate> regions) {
+  for (ThresholdEstimate& region : regions) {
+    region.variance.pop_back();
+    region.light.pop_back();
   }
-  // Groups: regions, then materials, then one for the rest.
-  std::vector<std::size_t> groups;
-  std::map<std::uint32_t, std::size_t> group_of_material;
-  for (std::size_t r = 0; r < seen.size(); ++r) {
-    const std::uint32_t material = view.regions().identities[r].material;
-    if (seen[r] >= SelectiveHeuristics::kFewestOfRegion) {
-      groups.push_back(r);
-    } else if (seen_of_material[material] >= SelectiveHeuristics::kFewestOfRegion) {
-      groups.push_back(seen.size() + 1 + material);
-    } else {
-      groups.push_back(seen.size());
-    }
-  }
-  return groups;
-}
-
-/// Material of a choice: regions, put together as `group_regions` has it, and thresholds other
-/// than that of chains for fireflies.
-struct OfferedThresholds {
-  std::vector<std::size_t> group_of;  ///< group of each region
-  std::vector<ThresholdEstimate> groups;
-};
-
-OfferedThresholds offer_thresholds(const PilotView& view,
-                                   const std::vector<ThresholdEstimate>& regions) {
-  const std::size_t offers = view.prepared.config.thresholds.size();
-  std::map<std::size_t, std::size_t> order;
-  OfferedThresholds offered;
-  for (const std::size_t group : group_regions(view)) {
-    const auto [place, is_new] = order.emplace(group, offered.groups.size());
-    if (is_new) {
-      offered.groups.push_back({std::vector<double>(offers), std::vector<double>(offers)});
-    }
-    offered.group_of.push_back(place->second);
-  }
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    ThresholdEstimate& group = offered.groups[offered.group_of[r]];
-    for (std::size_t i = 0; i < offers; ++i) {
-      group.variance[i] += regions[r].variance[i];
-      group.light[i] += regions[r].light[i];
-    }
-  }
-  return offered;
+  return regions;
 }
 
 /// Predicted error with chains over that without, if they are as much worse as one may doubt.
@@ -219,17 +160,13 @@ double gain_of_chains(const PilotView& view, const std::vector<double>& threshol
   const std::vector<ThresholdEstimate> regions = estimate_thresholds(view, thresholds, seen);
   const ThresholdChoice without = predict_thresholds(
       regions, costs, std::vector<std::size_t>(regions.size(), thresholds.size()));
-  return optimal_thresholds(offer_thresholds(view, regions).groups, costs).error / without.error;
+  return optimal_thresholds(with_chains(regions), costs).error / without.error;
 }
 
-/// Fraction from 0 (fireflies only) to 1 of what chains are to do. Around a gain that is clear
-/// enough it is a matter of degree: the halves of the replicates decide each for itself, and if one
-/// did with chains what the other does without, the picture would have the noise of the one at the
-/// cost of the other.
-double trust_in(double gain) {
-  return std::clamp((SelectiveHeuristics::kClearGain - gain) / SelectiveHeuristics::kDoubtfulGains,
-                    0.0, 1.0);
-}
+/// Fraction from 0 (fireflies only) to 1 of what chains are to do. It is a matter of degree: the
+/// halves of the replicates decide each for itself, and if one did with chains what the other does
+/// without, the picture would have the noise of the one at the cost of the other.
+double trust_in(double gain) { return std::max(0.0, 1.0 - gain / SelectiveHeuristics::kClearGain); }
 
 /// Noise of each region, for statistics.
 std::vector<float> region_noise(const PilotView& view) {
@@ -256,12 +193,11 @@ RegionChoice choose_regions(const PilotView& view) {
       estimate_thresholds(view, thresholds, {SelectiveHeuristics::kDisplayWhite, false});
   const ThresholdCosts costs{omc_cost(view), SelectiveHeuristics::kRaysPerMutation,
                              view.correlation, 0.0};
-  const OfferedThresholds offered = offer_thresholds(view, regions);
-  const ThresholdChoice of_groups = optimal_thresholds(offered.groups, costs);
+  const ThresholdChoice best = optimal_thresholds(with_chains(regions), costs);
   RegionChoice choice;
   double trust = 1.0;
   // Where the pilot has found nothing for them, they cost nothing, and stay ready.
-  if (of_groups.chain_light > 0.0) {
+  if (best.chain_light > 0.0) {
     // No single sample is evidence.
     choice.expected_error =
         gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kDisplayWhite, true});
@@ -271,9 +207,7 @@ RegionChoice choose_regions(const PilotView& view) {
         gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kFireflyClamp, false}) >=
             SelectiveHeuristics::kClearGain;
   }
-  std::vector<std::size_t> chosen;
-  chosen.reserve(regions.size());
-  for (const std::size_t group : offered.group_of) chosen.push_back(of_groups.chosen[group]);
+  std::vector<std::size_t> chosen = best.chosen;
   const auto fixed = config.regions.fixed_weights(view.regions(), config.scene, 0.F);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (fixed[r]) chosen[r] = 0;

@@ -41,7 +41,7 @@ void SampleAllocation::count_chains(std::uint64_t rays, std::uint64_t mutations)
 }
 
 void SampleAllocation::adjust(std::uint64_t samples, const WeightedErrors& of_omc,
-                              const WeightedErrors& of_chains, const std::optional<Seen>& seen) {
+                              const WeightedErrors& of_chains) {
   const double error = sum_of(trimmed(of_chains.variance));
   const double light = sum_of(of_chains.light);
   const double omc_error = sum_of(trimmed(of_omc.variance));
@@ -53,18 +53,16 @@ void SampleAllocation::adjust(std::uint64_t samples, const WeightedErrors& of_om
       static_cast<double>(omc_rays_) / static_cast<double>(omc_samples_) * pixels,
       static_cast<double>(chain_rays_) / static_cast<double>(mutations_), correlation_, 0.0};
   double best = 0.0;
-  if (seen) {
+  if (prepared_.config.objective == SelectiveConfig::Objective::Filtered) {
     const auto done = static_cast<double>(omc_samples(samples));
-    const auto of_one_sample = [&](const std::vector<std::vector<float>>& pictures) {
-      std::vector<double> variance = variance_of_mean(pictures);
+    const auto of_one_sample = [&](std::vector<double> variance) {
       for (double& of_pixel : variance) of_pixel *= done;
       return variance;
     };
     best = mutations_of_least_visible_error(
-               of_one_sample(seen->of_omc), of_one_sample(seen->of_chains),
+               of_one_sample(of_omc.variance), of_one_sample(of_chains.variance),
                mutations(samples) / done * pixels, costs.omc_sample, costs.mutation,
-               SelectiveHeuristics::kFewestMutations * pixels,
-               SelectiveHeuristics::kMostMutations * pixels) /
+               SelectiveHeuristics::kFewestMutations * pixels, kMostMutations * pixels) /
            pixels;
   } else {
     best = best_mutations(omc_error * static_cast<double>(omc_samples(samples)), light, costs) /
@@ -73,8 +71,7 @@ void SampleAllocation::adjust(std::uint64_t samples, const WeightedErrors& of_om
   // Sums that saturate may leave nothing to compare.
   if (!std::isfinite(best)) return;
   before_ = mutations(samples);
-  adjusted_ = clamp_mutations(std::clamp(best, rate() / SelectiveHeuristics::kMostChange,
-                                         rate() * SelectiveHeuristics::kMostChange));
+  adjusted_ = clamp_mutations(best);
   since_ = samples;
 }
 
@@ -104,7 +101,7 @@ void SampleAllocation::save_state(OutputArchive& archive) const {
 
 void SampleAllocation::load_state(InputArchive& archive, std::uint64_t samples) {
   archive(adjusted_, since_, before_, correlation_, chain_error_, known_);
-  const double most = std::max(prepared_.mutations, SelectiveHeuristics::kMostMutations);
+  const double most = std::max(prepared_.mutations, kMostMutations);
   // Where a sum over many epochs is rounded.
   constexpr double kRounding = 1.0 + 1e-6;
   const bool can_be = adjusted_ == 0.0 || adjusted_ == clamp_mutations(adjusted_);

@@ -40,17 +40,12 @@ class SampleAllocation {
   bool can_adjust() const {
     return !prepared_.preparation_cut && mutations_ > 0 && omc_samples_ > 0;
   }
-  /// Pictures of either half until now, for the eye (`seen_light`).
-  struct Seen {
-    std::vector<std::vector<float>> of_omc;
-    std::vector<std::vector<float>> of_chains;
-  };
   /// Shares the effort anew, by the errors that replicates show after `samples` samples of what
-  /// either half makes: for the least that can be seen, or if that is not given, for the least
-  /// squared error. What is on the film stays as it is: each sample stands for the whole picture,
-  /// however many mutations it has, so nothing is biased. Only if `can_adjust`.
-  void adjust(std::uint64_t samples, const WeightedErrors& of_omc, const WeightedErrors& of_chains,
-              const std::optional<Seen>& seen);
+  /// either half makes: for the least that is seen (image/visible_error.h), or for the least
+  /// squared error where the objective is the raw picture. What is on the film stays as it is: each
+  /// sample stands for the whole picture, however many mutations it has, so nothing is biased. Only
+  /// if `can_adjust`.
+  void adjust(std::uint64_t samples, const WeightedErrors& of_omc, const WeightedErrors& of_chains);
   /// Measurements, as far as there are any.
   struct Known {
     double mutations_per_sample;

@@ -370,8 +370,7 @@ void SelectiveIntegrator::share_effort(std::uint64_t samples, const Film& film) 
   };
   const Box2i& crop = prepared_.config.settings.crop;
   const ImportanceMap& importance = prepared_.view.importance;
-  const Replicates by_omc = pictures({"direct", kWeakLayer});
-  const WeightedErrors of_omc = weighted_errors(by_omc, crop, importance);
+  const WeightedErrors of_omc = weighted_errors(pictures({"direct", kWeakLayer}), crop, importance);
   if (learns()) {
     SampleRates::Guesses needed;
     if (adaptive_->needs_guesses()) needed = {guesses("direct"), guesses(kWeakLayer)};
@@ -379,12 +378,7 @@ void SelectiveIntegrator::share_effort(std::uint64_t samples, const Film& film) 
                       allocation_.rays_per_camera_sample());
   }
   if (!shares) return;
-  const Replicates by_chains = pictures({"indirect"});
-  std::optional<SampleAllocation::Seen> seen;
-  if (prepared_.config.objective == SelectiveConfig::Objective::Filtered) {
-    seen = {seen_light(by_omc, crop, importance), seen_light(by_chains, crop, importance)};
-  }
-  allocation_.adjust(samples, of_omc, weighted_errors(by_chains, crop, importance), seen);
+  allocation_.adjust(samples, of_omc, weighted_errors(pictures({"indirect"}), crop, importance));
 }
 
 void SelectiveIntegrator::run_item(std::uint64_t item, std::uint64_t first_sample,

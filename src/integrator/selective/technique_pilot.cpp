@@ -29,11 +29,7 @@ constexpr int kReplicates = 4;
 
 /// Share of the picture that is rendered with each offer.
 double share_of_picture(const SelectiveConfig& config) {
-  const auto pixels = static_cast<double>(config.pixels());
-  const double rendered =
-      std::clamp(pixels / SelectiveHeuristics::kOnePixelOf, SelectiveHeuristics::kFewestTrialPixels,
-                 SelectiveHeuristics::kMostTrialPixels);
-  return std::min(1.0, rendered / pixels);
+  return std::min(1.0, SelectiveHeuristics::kTrialPixels / static_cast<double>(config.pixels()));
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 #include "integrator/selective/weighted_errors.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/spectrum.h"
-#include "image/plane.h"
 #include "integrator/selective/heuristics.h"
 
 namespace ajar {
@@ -54,19 +52,6 @@ std::vector<double> variance_of_mean(std::span<const std::vector<float>> picture
     variance[i] = std::max(0.0, squares - sum * sum / count) / (count * (count - 1.0));
   }
   return variance;
-}
-
-std::vector<std::vector<float>> seen_light(const Replicates& replicates, const Box2i& crop,
-                                           const ImportanceMap& importance) {
-  constexpr std::size_t kWidth = SelectiveHeuristics::kSeenThrough;
-  const std::vector<float> mean(kWidth, 1.F / static_cast<float>(kWidth));
-  Plane plane(crop.max - crop.min + Vec2i(1, 1));
-  std::vector<std::vector<float>> light = weighted_light(replicates, crop, importance);
-  for (std::vector<float>& picture : light) {
-    plane.values = std::move(picture);
-    picture = filter_plane(plane, {mean, mean}).values;
-  }
-  return light;
 }
 
 WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,

@@ -19,11 +19,6 @@ Replicates develop_layers(const Film& film, const Integrator& integrator, std::u
 std::vector<std::vector<float>> weighted_light(const Replicates& replicates, const Box2i& crop,
                                                const ImportanceMap& importance);
 
-/// Means of that over 3×3 pixels, as the eye takes in fine noise. Errors of chains are
-/// blotches, which such a mean hardly makes fainter.
-std::vector<std::vector<float>> seen_light(const Replicates& replicates, const Box2i& crop,
-                                           const ImportanceMap& importance);
-
 /// Errors of pixels, weighted: their luminance times the importance of the pixel.
 struct WeightedErrors {
   std::vector<double> variance;  ///< importance² · variance of the mean over replicates

@@ -21,18 +21,6 @@ TEST(WeightedErrors, WeighLuminanceByImportance) {
   EXPECT_NEAR(errors.variance[1], 0.0, 1e-9);
 }
 
-TEST(WeightedErrors, AreSeenThroughThreeTimesThreePixels) {
-  const Box2i crop(Vec2i(0, 0), Vec2i(4, 2));
-  const ImportanceMap even;
-  std::vector<float> dot(15 * 3, 1.F);
-  for (std::size_t lane = 0; lane < 3; ++lane) dot[7 * 3 + lane] = 10.F;
-  const auto seen = seen_light({dot, std::vector<float>(15 * 3, 1.F)}, crop, even);
-  for (std::size_t i = 0; i < 15; ++i) {
-    EXPECT_NEAR(seen[0][i], i % 5 == 0 || i % 5 == 4 ? 1.F : 2.F, 1e-5F) << i;
-    EXPECT_NEAR(seen[1][i], 1.F, 1e-5F) << i;
-  }
-}
-
 TEST(WeightedErrors, VarianceOfAMeanFallsWithTheNumberOfPictures) {
   const std::vector<std::vector<float>> pictures = {{1.F}, {2.F}, {3.F}, {6.F}};
   // Squared distances from 3: 4 + 1 + 0 + 9, over n (n - 1).
