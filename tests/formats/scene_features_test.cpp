@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "import/pbrt/pbrt_import.h"
 #include "session/render/resolved_render.h"
 
@@ -79,6 +81,24 @@ TEST(SceneFeatures, ShowLightOfLampsUpToWhite) {
       "\"true\" Material \"matte\" \"rgb Kd\" [0 0 0]\n" +
       wall(5.F) + "AttributeEnd\n");
   expect_near(look.albedo, {1.F, 0.25F, 0.F});
+}
+
+TEST(SceneFeatures, ShowGlintsOfAFewRays) {
+  // A block of glass mirrors 8 % of a lamp that is twenty times as bright as white: 1.6, cut to 1
+  // where one of sixteen rays is mirrored at all. Cut ray by ray, it would be 0.08.
+  const Look look = look_at(
+      "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [20 2 0] \"bool twosided\" \"true\" "
+      "Material \"matte\" \"rgb Kd\" [0 0 0]\n" +
+      wall(-3.F) + "AttributeEnd\nMaterial \"glass\"\n" + wall(4.F) + wall(5.F) +
+      "Material \"matte\" \"rgb Kd\" [0 0 0]\n" + wall(8.F));
+  EXPECT_GT(look.albedo[0], 0.8F);
+  EXPECT_NEAR(look.albedo[1], 0.16F, 0.04F);
+}
+
+TEST(SceneFeatures, AreBlackWherePathsEndAmongMirrors) {
+  const auto scene = scene_of("Material \"mirror\" \"rgb Kr\" [1 1 1]\n" + wall(5.F) + wall(-3.F));
+  const Features features = *trace_features(*scene, settings_for(*scene));
+  EXPECT_EQ(*std::max_element(features.albedo.begin(), features.albedo.end()), 0.F);
 }
 
 TEST(SceneFeatures, ShowTheSkyWithoutANormal) {

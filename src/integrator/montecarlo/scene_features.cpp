@@ -63,18 +63,20 @@ Sight look(const Scene& scene, SampleSource& source, const Vec2& raster, int max
         trace_segment(scene, flight.ray, flight.medium, flight.lanes, numbers, rays);
     if (end.lost) return {};
     if (!end.hit && !end.scattered) {
-      return {at_most_one(flight.throughput * sky(scene, flight.ray.direction)), Vec3(0.F)};
+      return {flight.throughput * sky(scene, flight.ray.direction), Vec3(0.F)};
     }
     // Weighted as the visible part of the background: radiance alone is denser in glass.
     flight.throughput *= std::exchange(flight.roulette_scale, 1.F);
     PathVertex vertex;
     arrive(kWalk, flight, end, 0.0, vertex);
-    if (vertex.in_medium) return {at_most_one(vertex.throughput), vertex.wo};
-    const Sight sight{at_most_one(vertex.throughput * look_of(vertex, *end.hit)),
+    if (vertex.in_medium) return {vertex.throughput, vertex.wo};
+    const Sight sight{vertex.throughput * look_of(vertex, *end.hit),
                       face_forward(vertex.bsdf.ns(), vertex.wo)};
-    if (vertex.edges >= max_depth || end.hit->light != nullptr) return sight;
+    if (end.hit->light != nullptr) return sight;
     if (!scatter(kWalk, vertex, source, flight)) return sight;
     if (!flight.event.specular()) return sight;
+    // The picture is black where a path is still among mirrors then.
+    if (vertex.edges >= max_depth) return {};
   }
 }
 
@@ -102,15 +104,17 @@ std::optional<Features> trace_features(const Scene& scene, const RenderSettings&
         SobolSource source({own, i, own, i});
         const Vec2 offset = source.get_pair({Stream::Camera, 0, kEmissionDirection});
         const Sight sight = look(scene, source, Vec2(pixel) + offset, settings.max_depth);
-        albedo += sight.albedo;
+        if (sight.albedo.is_finite()) albedo += sight.albedo;
         normal += sight.normal;
       }
+      // After the mean: glints of a few rays are seen in the picture, too.
+      albedo = at_most_one(albedo / static_cast<float>(samples));
       const std::size_t first =
           3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
                static_cast<std::size_t>(x));
       for (int c = 0; c < 3; ++c) {
         const std::size_t index = first + static_cast<std::size_t>(c);
-        features.albedo[index] = albedo[c] / static_cast<float>(samples);
+        features.albedo[index] = albedo[c];
         features.normal[index] = normal[c] / static_cast<float>(samples);
       }
     }

@@ -15,7 +15,7 @@ using testing::random_uniforms;
 
 constexpr int kCosines = 40;  // even: a bin edge lies in the plane of ng
 constexpr int kAngles = 32;
-constexpr int kBins = kCosines * kAngles;
+constexpr int kDirectionBins = kCosines * kAngles;
 
 int bin_of(const Vec3& w) {
   const int c = std::min(static_cast<int>((w.z + 1.F) * 0.5F * kCosines), kCosines - 1);
@@ -29,7 +29,7 @@ int bin_of(const Vec3& w) {
 std::vector<double> expected_probabilities(const Bsdf& bsdf, const Vec3& wo) {
   constexpr int kFine = 10;
   constexpr int kFinePole = 60;  // next to the poles a narrow lobe is narrower still in cos θ
-  std::vector<double> p(kBins + 1, 0.0);
+  std::vector<double> p(kDirectionBins + 1, 0.0);
   for (int c = 0; c < kCosines; ++c) {
     const bool pole = c == 0 || c == kCosines - 1;
     const int rows = pole ? kFinePole : kFine;
@@ -39,7 +39,8 @@ std::vector<double> expected_probabilities(const Bsdf& bsdf, const Vec3& wo) {
       const double step = pole ? t * t : t;
       const double z =
           c == kCosines - 1 ? 1.0 - 2.0 * step / kCosines : -1.0 + 2.0 * (c + step) / kCosines;
-      const double cell = (pole ? 2.0 * t : 1.0) * 4.0 * kPi / (1.0 * kBins * rows * kFine);
+      const double cell =
+          (pole ? 2.0 * t : 1.0) * 4.0 * kPi / (1.0 * kDirectionBins * rows * kFine);
       const double r = std::sqrt(1.0 - z * z);
       for (int a = 0; a < kAngles * kFine; ++a) {
         const double phi = 2.0 * kPi * (a + 0.5) / (kAngles * kFine);
@@ -50,8 +51,8 @@ std::vector<double> expected_probabilities(const Bsdf& bsdf, const Vec3& wo) {
     }
   }
   double sum = 0.0;
-  for (int k = 0; k < kBins; ++k) sum += p[k];
-  p[kBins] = 1.0 - sum;
+  for (int k = 0; k < kDirectionBins; ++k) sum += p[k];
+  p[kDirectionBins] = 1.0 - sum;
   return p;
 }
 
@@ -92,13 +93,13 @@ TEST(Bsdf, SamplesFollowTheirDensity) {
   for (const float tilt : {0.F, 25.F}) {
     for (const NamedBsdf& b : catalogue(tilt)) {
       for (const Vec3& wo : wos) {
-        std::vector<int> counts(kBins + 1, 0);
+        std::vector<int> counts(kDirectionBins + 1, 0);
         for (int k = 0; k < kSamples; ++k) {
           const auto s = b.bsdf.sample(wo, random_uniforms(rng), TransportMode::Radiance);
-          ++counts[s && !s->pdf.discrete() ? bin_of(s->wi) : kBins];
+          ++counts[s && !s->pdf.discrete() ? bin_of(s->wi) : kDirectionBins];
         }
         if (!b.bsdf.connectible()) {
-          EXPECT_EQ(counts[kBins], kSamples) << b.name;
+          EXPECT_EQ(counts[kDirectionBins], kSamples) << b.name;
           continue;
         }
         EXPECT_LT(chi_square_sigmas(expected_probabilities(b.bsdf, wo), counts, kSamples), 5.0)
