@@ -35,7 +35,7 @@ enum class RandomUse : std::uint64_t {
   RouletteTrial = 0x4071e77e,
   RouletteScramble = 1,  ///< their points
   TechniqueTrial = 0x11997,
-  TechniqueTiles = 0x711e5,  ///< choice of the tiles that are rendered
+  TechniqueLight = 0x711e5,  ///< light subpaths of a place
   // The seed reservoir.
   SeedRoulette = 0x6a1e,
   PilotRoulette = 0xf09d,

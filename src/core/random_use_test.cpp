@@ -36,7 +36,7 @@ bool is_named(RandomUse use) {
     case RandomUse::RouletteTrial:
     case RandomUse::RouletteScramble:
     case RandomUse::TechniqueTrial:
-    case RandomUse::TechniqueTiles:
+    case RandomUse::TechniqueLight:
     case RandomUse::SeedRoulette:
     case RandomUse::PilotRoulette:
     case RandomUse::SeedReplicate:

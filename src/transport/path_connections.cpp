@@ -29,6 +29,22 @@ Ray ray_to_endpoint(const PathVertex& vertex, const Endpoint& endpoint,
   const SurfacePoint& end = sample.point.surface;
   return ray_between(origin, offset_ray_end(end.p, end.ng, -sample.w, sample.distance));
 }
+
+/// Adds the rays of its lifetime to a sum.
+class CountsRaysOf {
+ public:
+  CountsRaysOf(const RayCounts& rays, std::uint64_t& sum)
+      : rays_(rays), sum_(sum), before_(rays.rays) {}
+  ~CountsRaysOf() { sum_ += rays_.rays - before_; }
+  CountsRaysOf(const CountsRaysOf&) = delete;
+  CountsRaysOf& operator=(const CountsRaysOf&) = delete;
+
+ private:
+  const RayCounts& rays_;
+  std::uint64_t& sum_;
+  std::uint64_t before_;
+};
+
 }  // namespace
 
 bool PathSampler::is_tried(double count, const Pair& pair, SampleSource& source) {
@@ -42,6 +58,25 @@ float PathSampler::cull(const Spectrum& contribution, float rays_per_unit_light,
   return source.get(pair.address(kConnectionCull)) < survival ? 1.F / survival : 0.F;
 }
 
+template <typename OthersOf>
+double PathSampler::mis_weight(TechniqueClass own, const OthersOf& others) {
+  if (!settings_.shares_by_class) return 1.0 / (1.0 + others(std::nullopt));
+  ByTechniqueClass<double> relative{};
+  double others_of_own = 0.0;
+  double sum = 1.0;
+  for (std::size_t i = 0; i < relative.size(); ++i) {
+    const auto kind = static_cast<TechniqueClass>(i);
+    relative[i] = others(kind);
+    sum += relative[i];
+    if (kind == own) others_of_own = relative[i];
+  }
+  relative[index_of(own)] = 1.0 + others_of_own;
+  for (std::size_t i = 0; i < relative.size(); ++i) {
+    shares_[i] = static_cast<float>(relative[i] / sum);
+  }
+  return 1.0 / sum;
+}
+
 template <typename WeightOf>
 std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Medium* medium,
                                                      const Spectrum& unoccluded,
@@ -49,6 +84,7 @@ std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Mediu
                                                      SampleSource& source,
                                                      const WeightOf& weight_of) {
   const Technique technique{pair.light_edges + 1, pair.camera_edges + 1};
+  const CountsRaysOf counts_rays(rays_, rays_by_use_.connections[index_of(class_of(technique))]);
   if (const std::optional<Segment> segment = unobstructed(scene_, ray, medium)) {
     if (!counts(technique, pair.surplus)) return std::nullopt;
     const double mis_weight = weight_of(*segment);
@@ -71,24 +107,30 @@ std::optional<PathSampler::Joined> PathSampler::join(const Ray& ray, const Mediu
 }
 
 void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const MisState& mis,
-                            const Light& light, const EndpointPoint& point, PathSink& sink) const {
+                            const Light& light, const EndpointPoint& point, PathSink& sink) {
   const int edges = flight.edges + 1;
   if (!counts({0, edges + 1}, flight.surplus + end.segment.counted_interfaces)) return;
   const Spectrum emitted = light.emitted(point, -flight.ray.direction);
   if (emitted.is_black()) return;
-  double others = 0.0;
-  if (edges > 1) {
+  const auto others_of = [&](OnlyClass only) {
+    double others = 0.0;
+    if (edges <= 1) return others;
     // Technique (1, k) samples the light as seen from z_{i-1}; all with s ≥ 2 as it emits.
     const Heuristic heuristic = settings_.heuristic;
     const Vec3& reference = flight.reference;
-    const double next_event = h_count({1, edges});
+    const double next_event = h_count({1, edges}, only);
     if (next_event > 0.0 && !flight.specular) {
       const double connection =
           static_cast<double>(light.connection_pdf(reference, point).value()) *
           static_cast<double>(scene_.light_sampler().probability(reference, light).value());
       others += next_event * h(heuristic, connection) * mean(mis.inverse_forward);
     }
-    const double partial = mean(mis.partial);
+    const double partial = mean(only ? mis_along(camera_walk_.trail, edges,
+                                                 [&](int t) {
+                                                   return h_count({edges + 1 - t, t}, only);
+                                                 })
+                                           .partial
+                                     : mis.partial);
     if (partial > 0.0) {
       const EmissionPdf emission = light.emission_pdf(point, -flight.ray.direction);
       const double position =
@@ -97,15 +139,17 @@ void PathSampler::hit_light(const Flight& flight, const SegmentEnd& end, const M
       others += h(heuristic, position) *
                 h(heuristic, static_cast<double>(emission.departure.value())) * partial;
     }
-  }
-  const double mis_weight = 1.0 / (1.0 + others / mean(h(settings_.heuristic, end.lanes)));
-  sink.add({.value = flight.throughput * end.weight * emitted * static_cast<float>(mis_weight),
+    return others / mean(h(heuristic, end.lanes));
+  };
+  const double weight = mis_weight(TechniqueClass::Implicit, others_of);
+  sink.add({.value = flight.throughput * end.weight * emitted * static_cast<float>(weight),
             .technique = {0, edges + 1},
-            .mis_weight = mis_weight,
+            .mis_weight = weight,
             .roulette_weight = flight.roulette,
             .unidirectional_only = flight.specular && !flight.has_rough_edge,
             .light_point = &point,
-            .light = &light});
+            .light = &light,
+            .shares = shares_});
 }
 
 void PathSampler::connect_to_lights(const PathVertex& vertex, SampleSource& source,
@@ -149,26 +193,29 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
     const double connection_density =
         static_cast<double>(sample->pdf.value()) * static_cast<double>(probability);
     const auto distance = static_cast<double>(sample->distance);
-    double others = 0.0;
-    const double implicit = h_count({0, technique.t + 1});
-    if (implicit > 0.0 && !light.discrete_position()) {
-      const double reverse = static_cast<double>(scattered.pdf.value()) *
-                             endpoint_geometry(light, sample->point, sample->w, distance);
-      const ByLane hits = vertex.lanes * by_lane(segment.distance_pdf()) * reverse;
-      others += implicit * mean(h(heuristic, hits / connection_density));
-    }
-    if (settings_.techniques.needs_light_subpath()) {
-      const EmissionPdf emission = light.emission_pdf(sample->point, -sample->w);
-      const double position = static_cast<double>(emission.position.value()) *
-                              static_cast<double>(lights.emitter_probability(light).value());
-      const ByLane arrival = by_lane(segment.distance_pdf(vertex.scattered_in())) *
-                             arrival_density(emission.departure, light.at_infinity(), distance,
-                                             vertex.cosine(sample->w));
-      others += h(heuristic, position / connection_density) *
-                mean(camera_mis(vertex, technique.depth())
-                         .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value()));
-    }
-    return 1.0 / (1.0 + others / (h(heuristic, own_count) * mean(h(heuristic, vertex.lanes))));
+    const auto others_of = [&](OnlyClass only) {
+      double others = 0.0;
+      const double implicit = h_count({0, technique.t + 1}, only);
+      if (implicit > 0.0 && !light.discrete_position()) {
+        const double reverse = static_cast<double>(scattered.pdf.value()) *
+                               endpoint_geometry(light, sample->point, sample->w, distance);
+        const ByLane hits = vertex.lanes * by_lane(segment.distance_pdf()) * reverse;
+        others += implicit * mean(h(heuristic, hits / connection_density));
+      }
+      if (settings_.techniques.needs_light_subpath()) {
+        const EmissionPdf emission = light.emission_pdf(sample->point, -sample->w);
+        const double position = static_cast<double>(emission.position.value()) *
+                                static_cast<double>(lights.emitter_probability(light).value());
+        const ByLane arrival = by_lane(segment.distance_pdf(vertex.scattered_in())) *
+                               arrival_density(emission.departure, light.at_infinity(), distance,
+                                               vertex.cosine(sample->w));
+        others += h(heuristic, position / connection_density) *
+                  mean(camera_mis(vertex, technique.depth(), only)
+                           .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value()));
+      }
+      return others / (h(heuristic, own_count) * mean(h(heuristic, vertex.lanes)));
+    };
+    return mis_weight(TechniqueClass::NextEvent, others_of);
   };
   const std::optional<Joined> joined =
       join(ray_to_endpoint(vertex, light, *sample), vertex.medium_toward(sample->w), unoccluded,
@@ -179,7 +226,8 @@ void PathSampler::connect_to_light(const PathVertex& vertex, SampleSource& sourc
             .mis_weight = joined->mis_weight,
             .roulette_weight = vertex.roulette * joined->culling,
             .light_point = &sample->point,
-            .light = &light});
+            .light = &light,
+            .shares = shares_});
 }
 
 void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& source,
@@ -209,10 +257,12 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
         by_lane(segment.distance_pdf(vertex.scattered_in())) *
         arrival_density(emission.departure, camera.at_infinity(),
                         static_cast<double>(sample->distance), vertex.cosine(sample->w));
-    const double others =
-        mean(light_mis(vertex, technique.depth())
-                 .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value()));
-    return 1.0 / (1.0 + others / (h(heuristic, own_count) * mean(h(heuristic, vertex.lanes))));
+    const double own = h(heuristic, own_count) * mean(h(heuristic, vertex.lanes));
+    return mis_weight(TechniqueClass::Light, [&](OnlyClass only) {
+      return mean(light_mis(vertex, technique.depth(), only)
+                      .sum(heuristic, arrival, vertex.pdf(sample->w, vertex.wo).value())) /
+             own;
+    });
   };
   Ray ray = ray_to_endpoint(vertex, camera, *sample);
   ray.passes_lights = scene_.hides_lights();
@@ -226,7 +276,8 @@ void PathSampler::connect_to_camera(const PathVertex& vertex, SampleSource& sour
             .roulette_weight = vertex.roulette * joined->culling,
             .light_subpath = vertex.repeat,
             .raster = *raster,
-            .camera_point = &sample->point});
+            .camera_point = &sample->point,
+            .shares = shares_});
 }
 
 void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVertex& light_vertex,
@@ -263,15 +314,19 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
                                    (static_cast<double>(at_camera_vertex.pdf.value()) *
                                     static_cast<double>(light_vertex.cosine(w)) * inverse_square);
     const int depth = technique.depth();
-    const ByLane others =
-        h(heuristic, light_vertex.lanes) *
-            camera_mis(camera_vertex, depth)
-                .sum(heuristic, to_camera_vertex, camera_vertex.pdf(w, camera_vertex.wo).value()) +
-        h(heuristic, camera_vertex.lanes) *
-            light_mis(light_vertex, depth)
-                .sum(heuristic, to_light_vertex, light_vertex.pdf(-w, light_vertex.wo).value());
-    const double own = mean(h(heuristic, camera_vertex.lanes * light_vertex.lanes));
-    return 1.0 / (1.0 + mean(others) / (h(heuristic, own_count) * own));
+    const double own =
+        h(heuristic, own_count) * mean(h(heuristic, camera_vertex.lanes * light_vertex.lanes));
+    return mis_weight(TechniqueClass::Inner, [&](OnlyClass only) {
+      const ByLane others =
+          h(heuristic, light_vertex.lanes) *
+              camera_mis(camera_vertex, depth, only)
+                  .sum(heuristic, to_camera_vertex,
+                       camera_vertex.pdf(w, camera_vertex.wo).value()) +
+          h(heuristic, camera_vertex.lanes) *
+              light_mis(light_vertex, depth, only)
+                  .sum(heuristic, to_light_vertex, light_vertex.pdf(-w, light_vertex.wo).value());
+      return mean(others) / own;
+    });
   };
   const std::optional<Joined> joined = join(
       ray_between(camera_vertex.ray_origin(w), light_vertex.ray_end(-w, distance)),
@@ -281,7 +336,8 @@ void PathSampler::connect_inner(const PathVertex& camera_vertex, const PathVerte
             .technique = technique,
             .mis_weight = joined->mis_weight,
             .roulette_weight = camera_vertex.roulette * light_vertex.roulette * joined->culling,
-            .light_subpath = light_vertex.repeat});
+            .light_subpath = light_vertex.repeat,
+            .shares = shares_});
 }
 
 }  // namespace ajar

@@ -62,7 +62,7 @@ void PathSampler::implicit(SampleSource& source, const Vec2& raster, int vertice
     arrive(camera_walk_, flight, segment, camera_side_coefficient(flight.edges + 1), vertex);
     if (last) {
       if (!segment.hit || segment.hit->light == nullptr) return;
-      hit_light(flight, segment, camera_mis(vertex, vertex.edges), *segment.hit->light,
+      hit_light(flight, segment, camera_mis(vertex, vertex.edges, {}), *segment.hit->light,
                 {segment.hit->point, Vec3(0.F)}, sink);
       return;
     }

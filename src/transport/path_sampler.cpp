@@ -15,12 +15,16 @@ PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings
                    settings.camera_rest > 0.F},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
                   settings.roulette_start, true},
-      only_depth_(settings.min_depth == settings.max_depth ? settings.max_depth : 0) {
+      only_depth_(settings.min_depth == settings.max_depth && !settings.shares_by_class
+                      ? settings.max_depth
+                      : 0),
+      keeps_trails_(only_depth_ == 0 &&
+                    (!settings.techniques.uniform() || settings.shares_by_class)) {
   const TechniqueSet& set = settings_.techniques;
   const auto depth = static_cast<std::size_t>(std::max(0, settings.max_depth));
   const auto subpaths = static_cast<std::size_t>(std::ceil(settings.light_subpaths));
   if (has(TechniqueClass::Inner)) light_vertices_.resize(subpaths * depth);
-  if (!set.uniform() && only_depth_ == 0) {
+  if (keeps_trails_) {
     camera_trail_.resize(depth + 1);
     light_trails_.resize(subpaths * (depth + 1));
     if (camera_walk_.has_other_end) camera_walk_.trail = camera_trail_.data();
@@ -47,7 +51,7 @@ double PathSampler::h_count(Technique technique) const {
 
 double PathSampler::light_side_coefficient(int vertices) const {
   if (only_depth_ > 0) return h_count({vertices, only_depth_ + 1 - vertices});
-  if (!settings_.techniques.uniform()) return 1.0;
+  if (keeps_trails_) return 1.0;
   constexpr std::array<TechniqueClass, 3> kClasses = {
       TechniqueClass::Implicit, TechniqueClass::NextEvent, TechniqueClass::Inner};
   return class_h_count_[index_of(kClasses[static_cast<std::size_t>(std::min(vertices, 2))])];
@@ -56,25 +60,32 @@ double PathSampler::light_side_coefficient(int vertices) const {
 double PathSampler::camera_side_coefficient(int vertices) const {
   if (vertices == 0) return 0.0;
   if (only_depth_ > 0) return h_count({only_depth_ + 1 - vertices, vertices});
-  if (!settings_.techniques.uniform()) return 1.0;
+  if (keeps_trails_) return 1.0;
   if (vertices >= 2) return class_h_count_[index_of(TechniqueClass::Inner)];
   return light_tracing_reaches_ ? class_h_count_[index_of(TechniqueClass::Light)] : 0.0;
 }
 
-MisState PathSampler::light_mis(const PathVertex& vertex, int depth) const {
+MisState PathSampler::light_mis(const PathVertex& vertex, int depth, OnlyClass only) const {
   if (vertex.trail == nullptr) return vertex.mis;
-  return mis_along(vertex.trail, vertex.edges, [&](int s) { return h_count({s, depth + 1 - s}); });
+  return mis_along(vertex.trail, vertex.edges, [&](int s) {
+    return h_count({s, depth + 1 - s}, only);
+  });
 }
 
-MisState PathSampler::camera_mis(const PathVertex& vertex, int depth) const {
+MisState PathSampler::camera_mis(const PathVertex& vertex, int depth, OnlyClass only) const {
   if (vertex.trail == nullptr) return vertex.mis;
-  return mis_along(vertex.trail, vertex.edges, [&](int t) { return h_count({depth + 1 - t, t}); });
+  return mis_along(vertex.trail, vertex.edges, [&](int t) {
+    return h_count({depth + 1 - t, t}, only);
+  });
 }
 
 SegmentEnd PathSampler::trace(const WalkSettings& walk, const Flight& flight,
                               SampleSource& source) {
-  return trace_segment(scene_, flight.ray, flight.medium, flight.lanes,
-                       {source, walk.stream, flight.edges, walk.repeat}, rays_);
+  const std::uint64_t before = rays_.rays;
+  SegmentEnd end = trace_segment(scene_, flight.ray, flight.medium, flight.lanes,
+                                 {source, walk.stream, flight.edges, walk.repeat}, rays_);
+  if (walk.stream == Stream::Light) rays_by_use_.light_walk += rays_.rays - before;
+  return end;
 }
 
 void PathSampler::sample(SampleSource& source, const Vec2& raster, PathSink& sink) {
@@ -215,7 +226,7 @@ bool PathSampler::hides(const Flight& flight, const SegmentEnd& end) {
   return flight.ray.passes_lights && end.segment.counted_interfaces == 0;
 }
 
-void PathSampler::leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const {
+void PathSampler::leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) {
   if (end.lost || hides(flight, end)) return;
   const int edges = flight.edges + 1;
   const MisStep step =
@@ -250,7 +261,7 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
     sink.vertex(Stream::Camera, vertex, hit);
     if (edges == 1) sink.first_vertex(vertex, hit, end.distance);
     if (end.hit && end.hit->light != nullptr && sees_light) {
-      hit_light(flight, end, camera_mis(vertex, edges), *end.hit->light,
+      hit_light(flight, end, camera_mis(vertex, edges, {}), *end.hit->light,
                 {end.hit->point, Vec3(0.F)}, sink);
     }
     if (edges >= last_edge || vertex.throughput.is_black()) return;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "transport/counted_depth.h"
@@ -30,6 +31,9 @@ struct Contribution {
   const EndpointPoint* light_point = nullptr;
   const EndpointPoint* camera_point = nullptr;
   const Light* light = nullptr;
+  /// MIS weights that all techniques of each class together give the path; their sum is 1. Only
+  /// with `PathSamplerSettings::shares_by_class`.
+  ByTechniqueClass<float> shares{};
 };
 
 /// Receives the contributions of a `PathSampler`. Vertices are reported before the contributions
@@ -77,6 +81,20 @@ struct PathSamplerSettings {
   /// from `TransportHeuristics::kEfficientRouletteStart` on. 0: not known; roulette follows the
   /// throughput alone.
   float camera_rest = 0.F;
+  /// Makes `Contribution::shares`, at a few more operations for each vertex of each connection.
+  bool shares_by_class = false;
+};
+
+/// Where a sampler's rays have gone.
+struct RaysByUse {
+  std::uint64_t light_walk = 0;  ///< edges of light subpaths
+  ByTechniqueClass<std::uint64_t> connections{};
+
+  RaysByUse& operator+=(const RaysByUse& other) {
+    light_walk += other.light_walk;
+    for (std::size_t k = 0; k < connections.size(); ++k) connections[k] += other.connections[k];
+    return *this;
+  }
 };
 
 /// Samples paths by any set of techniques (docs/methods/bidirectional.md) as a deterministic
@@ -121,6 +139,7 @@ class PathSampler {
   /// Rays traced so far.
   std::uint64_t rays() const { return rays_.rays; }
   const RayCounts& ray_counts() const { return rays_; }
+  const RaysByUse& rays_by_use() const { return rays_by_use_; }
 
  private:
   struct LightStart {
@@ -141,7 +160,7 @@ class PathSampler {
     return settings_.counted.holds(technique.depth() + surplus);
   }
   /// A camera path that runs into the lights at infinity.
-  void leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink) const;
+  void leave_scene(const Flight& flight, const SegmentEnd& end, PathSink& sink);
   // Halves, in path_halves.cpp. Templated, so that the null observer compiles away.
   template <typename Observer>
   bool light_half(SampleSource& source, int vertices, PathVertex& end, Observer& observer);
@@ -157,7 +176,7 @@ class PathSampler {
 
   // Connections, in path_connections.cpp.
   void hit_light(const Flight& flight, const SegmentEnd& end, const MisState& mis,
-                 const Light& light, const EndpointPoint& point, PathSink& sink) const;
+                 const Light& light, const EndpointPoint& point, PathSink& sink);
   void connect_to_lights(const PathVertex& vertex, SampleSource& source, PathSink& sink);
   void connect_to_light(const PathVertex& vertex, SampleSource& source, int repeat, PathSink& sink);
   void connect_to_camera(const PathVertex& vertex, SampleSource& source, PathSink& sink);
@@ -184,6 +203,10 @@ class PathSampler {
   std::optional<Joined> join(const Ray& ray, const Medium* medium, const Spectrum& unoccluded,
                              float rays_per_unit_light, const Pair& pair, SampleSource& source,
                              const WeightOf& weight_of);
+  /// MIS weight of a technique. `others(kind)`: the other techniques of a class, or of all classes
+  /// if it is empty, relative to it. Notes the shares of classes if they are asked for.
+  template <typename OthersOf>
+  double mis_weight(TechniqueClass own, const OthersOf& others);
   /// Decides about a connection that is made less than once on average.
   static bool is_tried(double count, const Pair& pair, SampleSource& source);
   /// Russian roulette of weak connections: weight of the survivors, 0 for the others.
@@ -195,8 +218,13 @@ class PathSampler {
   double light_side_coefficient(int vertices) const;
   double camera_side_coefficient(int vertices) const;
   double h_count(Technique technique) const;
-  MisState light_mis(const PathVertex& vertex, int depth) const;
-  MisState camera_mis(const PathVertex& vertex, int depth) const;
+  /// Techniques of this class alone, or of all.
+  using OnlyClass = std::optional<TechniqueClass>;
+  double h_count(Technique technique, OnlyClass only) const {
+    return !only || class_of(technique) == *only ? h_count(technique) : 0.0;
+  }
+  MisState light_mis(const PathVertex& vertex, int depth, OnlyClass only) const;
+  MisState camera_mis(const PathVertex& vertex, int depth, OnlyClass only) const;
   bool wants(Technique technique) const {
     const int depth = technique.depth();
     return depth >= settings_.min_depth && depth <= settings_.max_depth &&
@@ -217,9 +245,14 @@ class PathSampler {
       std::numeric_limits<float>::infinity();  ///< rays per unit of light there
   std::vector<PathVertex> light_vertices_;
   std::size_t light_vertex_count_ = 0;
-  std::vector<MisTrailEntry> camera_trail_;  // these two only for sets that name single techniques
+  /// True for sets that name single techniques, and where classes are told apart: the recursion is
+  /// recorded in these two.
+  bool keeps_trails_;
+  std::vector<MisTrailEntry> camera_trail_;
   std::vector<MisTrailEntry> light_trails_;
+  ByTechniqueClass<float> shares_{};  ///< shares of the last MIS weight
   RayCounts rays_;
+  RaysByUse rays_by_use_;
 };
 
 }  // namespace ajar

@@ -114,7 +114,7 @@ const std::vector<Variant>& variants() {
        {"GlassAndMetal", "Distant", "ManyLamps", "ShadingNormals", "CroppedMitchell"}},
       {"selective, paths, low split",
        "selective",
-       {{"chain", "mlt"}, {"split", "0.3"}},
+       {{"chain", "mlt"}, {"techniques", "bdpt"}, {"split", "0.3"}},
        {"Room", "GlassAndMetal", "RoughGlass", "Fog", "ColoredSmoke", "ThinLens", "Environment",
         "PointAndSpot", "NestedDielectrics", "EnvironmentCamera", "CroppedMitchell"}},
       {"masked, light tracing and pssmlt",
@@ -142,7 +142,7 @@ const std::vector<Variant>& variants() {
 int samples_of(const Variant& variant) {
   if (variant.integrator == "mmlt") return 512;
   if (variant.integrator == "pssmlt") return 256;
-  return variant.integrator == "masked" ? 96 : 64;
+  return variant.integrator == "masked" ? 96 : 80;
 }
 
 class ChainAgreement : public ::testing::TestWithParam<test::SmallScene> {};

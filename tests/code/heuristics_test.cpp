@@ -169,9 +169,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"integrator/selective/chain_fraction.cpp", {"statistics that decide nothing", {"kCell"}}},
       {"integrator/selective/config.cpp", {"number of replicates", {"kTwoHalves"}}},
       {"integrator/selective/division_pilot.cpp", {"number of replicates", {"kReplicates"}}},
-      {"integrator/selective/technique_pilot.cpp", {"index", {"kUsual"}}},
-      {"integrator/selective/technique_pilot.cpp", {"number of replicates", {"kReplicates"}}},
-      {"integrator/selective/technique_pilot.cpp", {"fixed point", {"kUnit"}}},
+      {"integrator/selective/technique_pilot.cpp", {"number of items", {"kTrialItems"}}},
   };
   return kUnfitted;
 }

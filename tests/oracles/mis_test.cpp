@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 
 #include "core/random.h"
 #include "path/measure.h"
@@ -63,6 +64,52 @@ TEST_P(MisWeights, EqualTheSlowOracleOnRandomPaths) {
       EXPECT_EQ(sink.lost(), 0U);
       EXPECT_FALSE(sink.checked.empty()) << "no path was checked";
     }
+  }
+}
+
+/// Compares the shares of classes with the sums of all their techniques' MIS weights.
+class CheckingShares final : public PathRecorder {
+ public:
+  using PathRecorder::PathRecorder;
+
+  void record(const Path& path, const Contribution& contribution) override {
+    ByTechniqueClass<double> expected{};
+    const int depth = contribution.technique.depth();
+    for (int s = 0; s <= depth; ++s) {
+      const Technique technique{s, depth + 1 - s};
+      if (!settings().techniques.enabled(technique)) continue;
+      expected[index_of(class_of(technique))] += mis_weight(scene(), settings(), path, technique);
+    }
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      EXPECT_NEAR(static_cast<double>(contribution.shares[k]), expected[k],
+                  2e-3 + 2e-3 * expected[k])
+          << name_of(static_cast<TechniqueClass>(k)) << ", depth " << depth;
+    }
+    ++checked[index_of(class_of(contribution.technique))];
+  }
+
+  ByTechniqueClass<int> checked{};
+};
+
+TEST_P(MisWeights, OfClassesAreThoseOfTheirTechniques) {
+  const auto scene = test::scene_from(GetParam().text);
+  for (const Heuristic heuristic : {Heuristic::Balance, Heuristic::Power}) {
+    PathSamplerSettings settings;
+    settings.techniques = TechniqueSet::bdpt();
+    settings.heuristic = heuristic;
+    settings.max_depth = 6;
+    settings.shares_by_class = true;
+    PathSampler sampler(*scene, settings);
+    CheckingShares sink(*scene, settings);
+    const Vec2 size(scene->camera().resolution());
+    for (std::uint32_t i = 0; i < 200; ++i) {
+      IndependentSource source({1, i, 2, i});
+      const Vec2 raster = source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size;
+      sink.begin(raster);
+      sampler.sample(source, raster, sink);
+      if (HasFailure()) return;
+    }
+    EXPECT_GT(std::accumulate(sink.checked.begin(), sink.checked.end(), 0), 0);
   }
 }
 

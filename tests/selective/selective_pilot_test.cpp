@@ -21,36 +21,16 @@ using test::prepared_render;
 using test::report_of;
 using test::selective_options;
 
-struct Chosen {
-  std::string techniques;
-  double light_paths;
-  bool operator==(const Chosen&) const = default;
-};
-/// Choices of the pilots of this many renders.
-std::vector<Chosen> chosen(const std::string& scene_name, std::uint64_t renders) {
-  const Scene scene = test::builtin_scene(scene_name);
-  std::vector<Chosen> all;
-  for (std::uint64_t seed = 1; seed <= renders; ++seed) {
-    const MethodReport omc = report_of(scene, seed, {}).at("omc");
-    all.push_back({omc.at("techniques"), omc.at("light_paths_per_sample")});
+/// Between nearly equal offers chance decides, but never for one that hardly finds the light.
+TEST(Selective, ChoosesTechniquesThatSuitTheScene) {
+  for (const auto& [name, techniques] : std::map<std::string, std::string>{
+           {"floor-lamps", "bdpt"}, {"pool", "bdpt"}, {"torus-in-glass", "pt"}}) {
+    const Scene scene = test::builtin_scene(name);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const MethodReport omc = report_of(scene, seed, {}).at("omc");
+      EXPECT_EQ(omc.at("techniques"), techniques) << name << ", seed " << seed;
+    }
   }
-  return all;
-}
-auto times(const std::vector<Chosen>& all, const Chosen& one) {
-  return std::count(all.begin(), all.end(), one);
-}
-
-/// A pilot is small, and chance decides between nearly equal ones.
-TEST(Selective, MostlyChoosesTechniquesThatSuitTheScene) {
-  const Chosen few{"ibpt", 0.33};
-  EXPECT_GE(times(chosen("cornell", 3), few), 2);
-  const std::vector<Chosen> in_shades = chosen("floor-lamps", 3);
-  EXPECT_EQ(times(in_shades, few), 0);
-  EXPECT_GE(times(in_shades, {"bdpt", 4.0}), 1);
-  EXPECT_EQ(times(chosen("pool", 4), {"bdpt", 1.0}), 4)
-      << "inner connections find what chains are to start from, and what is strong stays so";
-  EXPECT_GE(times(chosen("torus-in-glass", 4), few), 3)
-      << "strong paths are for chains here, too, but inner connections find none of them";
 }
 
 TEST(Selective, UsesTheUsersTechniques) {
@@ -168,10 +148,8 @@ int rounds_of(const std::string& scene_name) {
 }
 
 TEST(Selective, SkipsPreparationWithoutABenefit) {
-  // Brightness, ibpt, bdpt, roulette, surfaces of pixels, and the division.
-  EXPECT_EQ(rounds_of("cornell"), 6);
-  // More light subpaths for the seeds of chains, too.
-  EXPECT_EQ(rounds_of("torus-in-glass"), 7);
+  // Brightness, techniques, roulette, surfaces of pixels, and the division: nothing is dark.
+  EXPECT_EQ(rounds_of("torus-in-glass"), 5);
 }
 
 }  // namespace

@@ -53,45 +53,17 @@ struct SelectiveHeuristics {
   /// 0.127 without. 0.9 before.
   static constexpr double kClearGain = 0.7;
 
-  // -------------------------------------------------------- pilot of techniques
-  //
-  // Shares are of squares over the variance of weak light (up to the brightness):
-  // docs/notebook/selective.md, "Which techniques", of pool and torus-in-glass with ten pilots
-  // each.
-
-  /// Strong paths are no rarer with inner connections than without, if these find so much of them.
-  /// Unit: strong squares over strong squares. Range: (0, 1]. Source: 70ce179: two of six renders
-  /// of pool had ibpt, with two to three times the error. Half and double tell nothing
-  /// (docs/notebook/selective.md, "Half and double").
-  static constexpr double kNoRarer = 0.8;
-  /// There are so many strong paths that they are for chains.
-  /// Unit: share. Range: > 0. Source: 70ce179; half and double: as before.
-  static constexpr double kMuchStrong = 0.3;
-  /// Light subpaths find so much that fewer of them would seldom find it: neither a pilot nor
-  /// chains would know of it.
-  /// Unit: share. Range: > 0. Source: cbffe58, e431c44: pool with a twentieth of the light subpaths
-  /// has 1.8 times the error; half and double: as before.
-  static constexpr double kMuchFromLight = 0.2;
-  /// Where strong paths are for chains, these need the techniques that find what they start from,
-  /// however little.
-  /// Unit: share. Range: >= 0. Source: e431c44: each of ten pilots finds that much on pool, none on
-  /// torus-in-glass and teapot-full.
-  static constexpr double kAnyInner = 0.005;
-  /// Pixels that are rendered with each offer: enough to tell errors that differ by a tenth.
-  /// Unit: pixels. Range: > 0. Source: docs/notebook/selective.md, "Half and double"; 8fdd9d2: with
-  /// 768 it missed what four light subpaths bring to floor-lamps in three of five renders.
-  static constexpr double kTrialPixels = 2048.0;
-  /// Light subpaths per camera sample where one is better than few.
-  /// Unit: subpaths. Range: > 1. Source: docs/notebook/selective.md,
-  /// "Which techniques": error on floor-lamps 0.74 with 2, 0.69 with 4; on veach-bidir 0.95, 1.0
-  /// and (8) 1.1.
-  static constexpr double kManyLightSubpaths = 4.0;
-
-  // -------------------------------------------------------- pilot of roulette
+  // -------------------------------------------------------- pilots of techniques and of roulette
   /// Places on the film with two camera samples each.
   /// Unit: places. Range: a multiple of 16. Source: docs/notebook/selective.md, "Half and double".
-  static constexpr std::uint64_t kRoulettePlaces = 2048;
-  /// The price that the pilot itself has, which is its Λ: what it is about in most scenes, so that
+  static constexpr std::uint64_t kPilotPlaces = 2048;
+  /// Techniques with fewer rays are taken unless the error of others in the same time is less by
+  /// this factor.
+  /// Unit: error over error. Range: >= 1. Source: docs/notebook/selective.md, "Which techniques":
+  /// bdpt 4 has 0.69 of the error on floor-lamps; on cornell differences of 1.1 are not those of
+  /// time.
+  static constexpr double kClearlyFaster = 1.2;
+  /// The price that these pilots have, which is their Λ: what it is about in most scenes, so that
   /// roulette is much as it will be.
   /// Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Which rays are traced": it
   /// turns out to be 0.1 to 0.5.

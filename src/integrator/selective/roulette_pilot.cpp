@@ -18,7 +18,7 @@ namespace {
 /// Work items, so that threads share the places.
 constexpr std::uint64_t kItems = 16;
 /// Places on the film in each, with two camera samples.
-constexpr std::uint64_t kPairs = SelectiveHeuristics::kRoulettePlaces / kItems;
+constexpr std::uint64_t kPairs = SelectiveHeuristics::kPilotPlaces / kItems;
 
 }  // namespace
 

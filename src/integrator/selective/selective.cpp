@@ -131,9 +131,7 @@ SelectiveIntegrator::SelectiveIntegrator(const Scene& scene, const RenderSetting
   reservoir_ = std::make_unique<SeedReservoir>(prepared_);
   add_stage(std::make_unique<BrightnessPilot>(prepared_), &SelectiveIntegrator::take_brightness);
   add_stage(std::make_unique<DarkPilot>(prepared_), &SelectiveIntegrator::take_dark);
-  for (std::unique_ptr<TechniquePilot>& pilot : TechniquePilot::make_all(prepared_)) {
-    add_stage(std::move(pilot), &SelectiveIntegrator::take_techniques);
-  }
+  add_stage(std::make_unique<TechniquePilot>(prepared_), &SelectiveIntegrator::take_techniques);
   if (prepared_.config.efficient_roulette) {
     add_stage(std::make_unique<RoulettePilot>(prepared_), &SelectiveIntegrator::take_roulette);
   }

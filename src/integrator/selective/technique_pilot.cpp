@@ -1,184 +1,160 @@
 #include "integrator/selective/technique_pilot.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <string>
-#include <utility>
 
 #include "core/random.h"
 #include "core/random_use.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/heuristics.h"
-#include "integrator/selective/weighted_errors.h"
+#include "transport/sources.h"
 
 namespace ajar {
 
 namespace {
 
-/// The first makes do with few light subpaths; then in order of how many there are.
-std::vector<PathFamilyDefaults> offers() {
-  const PathFamilyDefaults usual = path_family_defaults("bdpt");
-  return {path_family_defaults("ibpt"),
-          usual,
-          {usual.techniques, SelectiveHeuristics::kManyLightSubpaths, usual.roulette_start}};
-}
-constexpr std::size_t kUsual = 1;
-/// One sample per pixel of the tiles in each of them.
-constexpr int kReplicates = 4;
+/// Work items, so that threads share the places.
+constexpr std::uint64_t kTrialItems = 16;
+/// Places on the film in each.
+constexpr std::uint64_t kTrialPlaces = SelectiveHeuristics::kPilotPlaces / kTrialItems;
 
-/// Share of the picture that is rendered with each offer.
-double share_of_picture(const SelectiveConfig& config) {
-  return std::min(1.0, SelectiveHeuristics::kTrialPixels / static_cast<double>(config.pixels()));
+/// Techniques to choose from, from few rays to many.
+std::vector<PathFamilyDefaults> technique_offers() {
+  std::vector<PathFamilyDefaults> offers = {path_family_defaults("pt")};
+  const auto add = [&](const char* techniques, double light_paths) {
+    offers.push_back(path_family_defaults(techniques));
+    offers.back().light_paths_per_pixel = light_paths;
+  };
+  for (const double light_paths : {0.1, 0.33, 1.0}) add("ibpt", light_paths);
+  for (const double light_paths : {1.0, 4.0}) add("bdpt", light_paths);
+  return offers;
+}
+
+/// Over those of `bdpt` with one light subpath.
+ByTechniqueClass<double> relative_counts(const PathFamilyDefaults& offer) {
+  const TechniqueSet set = TechniqueSet::parse(offer.techniques);
+  ByTechniqueClass<double> counts{};
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const auto kind = static_cast<TechniqueClass>(k);
+    const bool by_light_paths = kind == TechniqueClass::Light || kind == TechniqueClass::Inner;
+    counts[k] = set.count(kind) * (by_light_paths ? offer.light_paths_per_pixel : 1.0);
+  }
+  return counts;
+}
+
+/// Rays with other counts than those that were tried.
+double rays_with(const ByTechniqueClass<double>& counts, double rays, const RaysByUse& by_use) {
+  const double light = counts[index_of(TechniqueClass::Light)];
+  const double inner = counts[index_of(TechniqueClass::Inner)];
+  const auto walk = static_cast<double>(by_use.light_walk);
+  const auto to_lens = static_cast<double>(by_use.connections[index_of(TechniqueClass::Light)]);
+  const auto between = static_cast<double>(by_use.connections[index_of(TechniqueClass::Inner)]);
+  return rays + (std::max(light, inner) - 1.0) * walk + (light - 1.0) * to_lens +
+         (inner - 1.0) * between;
 }
 
 }  // namespace
 
-/// Ordinary Monte Carlo with one of the offers.
-class TechniquePilot::Candidate final : public OutlierSinkFactory {
+class TechniquePilot::Sink final : public PathSink {
  public:
-  Candidate(const SelectivePreparation& prepared, const PathFamilyDefaults& offer,
-            const RenderSettings& settings)
-      : prepared_(prepared),
-        divisions_(Division(prepared.brightness, prepared.view.importance)),
-        omc_(prepared.make_omc(offer, settings, {.divisions = &divisions_, .strong = this})),
-        film_(settings.resolution, settings.crop, Filter::box(), kReplicates, omc_->layers()) {}
+  Sink(const SelectivePreparation& prepared, TechniqueErrors& errors)
+      : view_(prepared.view),
+        most_(SelectiveHeuristics::kBright * prepared.brightness),
+        price_(static_cast<float>(SelectiveHeuristics::kUsualPrice * prepared.brightness)),
+        errors_(errors) {}
 
-  std::uint64_t tiles() const { return omc_->items_in_round(); }
-
-  void render(std::uint64_t tile, Counters& counters) {
-    Counters own;
-    omc_->run_item(tile, 0, kReplicates, film_, own);
-    rays_ += own.rays;
-    counters.add_rays(own);
+  void begin_place(const Vec2& raster) {
+    raster_ = raster;
+    errors_.begin_place();
   }
-
-  std::unique_ptr<OutlierSink> make(Film& /*film*/, Counters& /*counters*/) const override {
-    return std::make_unique<Sink>(*this);
+  void add(const Contribution& contribution) override {
+    const TechniqueClass found_by = class_of(contribution.technique);
+    const float importance =
+        view_.importance(found_by == TechniqueClass::Light ? contribution.raster : raster_);
+    const auto light = static_cast<double>(luminance(contribution.value) * importance);
+    errors_.add(std::min(light, most_), found_by, contribution.shares);
   }
-
-  Errors errors() const {
-    const WeightedErrors of_pixels =
-        weighted_errors(develop_layers(film_, *omc_, kReplicates, {"direct", kWeakLayer}),
-                        prepared_.config.settings.crop, prepared_.view.importance);
-    const double unit = prepared_.brightness * prepared_.brightness / kUnit / kReplicates;
-    return {sum_of(trimmed(of_pixels.variance)) * kReplicates,
-            static_cast<double>(strong_.load()) * unit,
-            static_cast<double>(from_light_.load()) * unit,
-            static_cast<double>(inner_.load()) * unit, static_cast<double>(rays_.load())};
+  bool reaches(const Vec2& raster) const override { return view_.contains(raster); }
+  float rays_per_unit_light(const Vec2& raster) const override {
+    return view_.importance(raster) / price_;
   }
 
  private:
-  /// Unit of sums of squares, which as whole numbers do not depend on the order of threads.
-  static constexpr double kUnit = 1 << 20;
-
-  class Sink final : public OutlierSink {
-   public:
-    explicit Sink(const Candidate& candidate) : candidate_(candidate) {}
-    bool spread(SampleSource& /*numbers*/, OutlierPath& path) override {
-      const double light = std::abs(path.energy) / candidate_.prepared_.brightness;
-      candidate_.strong_ += square(std::min(light, SelectiveHeuristics::kBright));
-      if (path.technique.s < 2) return true;
-      const std::uint64_t find = square(std::min(light, SelectiveHeuristics::kHighestThreshold));
-      candidate_.from_light_ += find;
-      if (path.technique.t >= 2) candidate_.inner_ += find;
-      return true;
-    }
-
-   private:
-    static std::uint64_t square(double light) {
-      return static_cast<std::uint64_t>(light * light * kUnit);
-    }
-    const Candidate& candidate_;
-  };
-
-  const SelectivePreparation& prepared_;
-  Divisions divisions_;
-  std::unique_ptr<Integrator> omc_;
-  Film film_;
-  std::atomic<std::uint64_t> rays_{0};
-  mutable std::atomic<std::uint64_t> strong_{0};
-  mutable std::atomic<std::uint64_t> from_light_{0};
-  mutable std::atomic<std::uint64_t> inner_{0};
+  const ChainView& view_;
+  double most_;
+  float price_;
+  TechniqueErrors& errors_;
+  Vec2 raster_{0.F, 0.F};
 };
 
-TechniquePilot::TechniquePilot(const SelectivePreparation& prepared, PathFamilyDefaults offer,
-                               std::shared_ptr<Trials> trials)
-    : prepared_(prepared), offer_(std::move(offer)), trials_(std::move(trials)) {}
-TechniquePilot::~TechniquePilot() = default;
-
-std::vector<std::unique_ptr<TechniquePilot>> TechniquePilot::make_all(
-    const SelectivePreparation& prepared) {
-  const auto trials = std::make_shared<Trials>();
-  std::vector<std::unique_ptr<TechniquePilot>> stages;
-  for (PathFamilyDefaults& offer : offers()) {
-    stages.push_back(
-        std::unique_ptr<TechniquePilot>(new TechniquePilot(prepared, std::move(offer), trials)));
-  }
-  return stages;
-}
-
-bool TechniquePilot::is_for_chains(const std::vector<Errors>& found) {
-  const Errors& few = found.front();
-  const Errors& usual = found[kUsual];
-  return usual.strong > SelectiveHeuristics::kMuchStrong * usual.weak &&
-         usual.strong > SelectiveHeuristics::kNoRarer * few.strong;
-}
+TechniquePilot::TechniquePilot(const SelectivePreparation& prepared) : prepared_(prepared) {}
 
 double TechniquePilot::effort() const {
   if (!prepared_.config.chooses_techniques) return 0.0;
-  return kReplicates * effort_with(offer_.light_paths_per_pixel) *
-         share_of_picture(prepared_.config);
+  return static_cast<double>(2 * SelectiveHeuristics::kPilotPlaces) /
+         static_cast<double>(prepared_.pixels());
 }
 
 std::uint64_t TechniquePilot::begin() {
-  if (!prepared_.config.chooses_techniques || trials_->chosen) return 0;
-  RenderSettings settings = prepared_.config.settings;
-  settings.replicates = kReplicates;
-  settings.aovs.clear();
-  settings.seed = hash_numbers(settings.seed, RandomUse::TechniqueTrial);
-  candidate_ = std::make_unique<Candidate>(prepared_, offer_, settings);
-  const std::uint64_t all = candidate_->tiles();
-  const auto count = static_cast<std::uint64_t>(
-      std::ceil(static_cast<double>(all) * share_of_picture(prepared_.config)));
-  for (std::uint64_t i = 0; i < count; ++i) {
-    // One tile of each of `count` equal ranges, so that they lie all over the picture.
-    const std::uint64_t first = i * all / count;
-    const std::uint64_t last = (i + 1) * all / count;
-    tiles_.push_back(first +
-                     hash_numbers(settings.seed, RandomUse::TechniqueTiles, i) % (last - first));
+  if (!prepared_.config.chooses_techniques) return 0;
+  sampler_ = sampler_settings(prepared_.config.settings,
+                              SelectivePreparation::omc_parameters(path_family_defaults("bdpt")));
+  sampler_.heuristic = Heuristic::Balance;
+  sampler_.shares_by_class = true;
+  if (prepared_.config.efficient_roulette) {
+    sampler_.camera_rest = static_cast<float>(prepared_.brightness);
   }
-  return tiles_.size();
+  std::vector<ByTechniqueClass<double>> counts;
+  for (const PathFamilyDefaults& offer : technique_offers()) {
+    counts.push_back(relative_counts(offer));
+  }
+  found_.assign(kTrialItems, {TechniqueErrors(std::move(counts)), 0.0, {}});
+  return kTrialItems;
 }
 
 void TechniquePilot::run(std::uint64_t item, Counters& counters) {
-  candidate_->render(tiles_[item], counters);
+  PathSampler sampler(prepared_.scene(), sampler_);
+  Found& found = found_[item];
+  Sink sink(prepared_, found.errors);
+  for (std::uint64_t place = 0; place < kTrialPlaces; ++place) {
+    const std::uint64_t seed =
+        hash_numbers(prepared_.config.settings.seed, RandomUse::TechniqueTrial, item, place);
+    Vec2 raster(0.F, 0.F);
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      IndependentSource source({seed, i, hash_numbers(seed, RandomUse::TechniqueLight), i});
+      if (i == 0) {
+        raster = prepared_.view.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+        sink.begin_place(raster);
+      }
+      found.errors.begin_sample();
+      sampler.sample(source, raster, sink);
+      found.errors.end_sample();
+    }
+  }
+  found.rays = static_cast<double>(sampler.rays());
+  found.rays_by_use = sampler.rays_by_use();
+  counters.add_rays(sampler.ray_counts());
 }
 
 void TechniquePilot::end() {
-  if (!candidate_) return;
-  trials_->errors.push_back(candidate_->errors());
-  candidate_.reset();
-  choose();
-}
-
-void TechniquePilot::choose() const {
-  const std::vector<Errors>& found = trials_->errors;
-  // Tiles without light tell nothing.
-  if (found.size() <= kUsual || !(found[kUsual].after_equal_time() > 0.0)) return;
-  const bool for_chains = is_for_chains(found);
-  const bool needs_usual =
-      found[kUsual].from_light > SelectiveHeuristics::kMuchFromLight * found[kUsual].weak ||
-      (for_chains && std::any_of(found.begin() + kUsual, found.end(), [](const Errors& of) {
-         return of.inner > SelectiveHeuristics::kAnyInner * of.weak;
-       }));
-  std::size_t best = needs_usual ? kUsual : 0;
-  for (std::size_t i = best + 1; i < found.size(); ++i) {
-    if (found[i].after_equal_time() < found[best].after_equal_time()) best = i;
+  if (found_.empty()) return;
+  Found all = std::move(found_.front());
+  for (std::size_t i = 1; i < found_.size(); ++i) {
+    all.errors += found_[i].errors;
+    all.rays += found_[i].rays;
+    all.rays_by_use += found_[i].rays_by_use;
   }
-  // One light subpath per sample may have found nothing by chance.
-  if (found.size() == offers().size() || (best < kUsual && !for_chains)) {
-    trials_->chosen = offers()[best];
+  found_.clear();
+  const std::vector<PathFamilyDefaults> offers = technique_offers();
+  std::vector<double> errors;  // after equal time
+  for (std::size_t i = 0; i < offers.size(); ++i) {
+    errors.push_back(all.errors.variance(i) *
+                     rays_with(relative_counts(offers[i]), all.rays, all.rays_by_use));
+  }
+  const double least = *std::min_element(errors.begin(), errors.end());
+  if (!(least > 0.0 && std::isfinite(least))) return;
+  for (std::size_t i = 0; i < offers.size() && !chosen_; ++i) {
+    if (errors[i] <= SelectiveHeuristics::kClearlyFaster * least) chosen_ = offers[i];
   }
 }
 
