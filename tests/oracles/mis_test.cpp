@@ -35,7 +35,21 @@ class CheckingRecorder final : public PathRecorder {
   std::map<std::pair<int, int>, int> checked;
 };
 
-class MisWeights : public ::testing::TestWithParam<test::SmallScene> {};
+class MisWeights : public ::testing::TestWithParam<test::SmallScene> {
+ protected:
+  /// Random camera samples, all over the film, until the sink has failed.
+  static void sample(const Scene& scene, PathSampler& sampler, PathRecorder& sink,
+                     std::uint32_t samples, bool light_alone = false) {
+    const Vec2 size(scene.camera().resolution());
+    for (std::uint32_t i = 0; i < samples && !HasFailure(); ++i) {
+      IndependentSource source({1, i, 2, i});
+      const Vec2 raster = source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size;
+      sink.begin(raster);
+      if (light_alone) sampler.sample_light(source, sink);
+      sampler.sample(source, raster, sink);
+    }
+  }
+};
 
 TEST_P(MisWeights, EqualTheSlowOracleOnRandomPaths) {
   const auto scene = test::scene_from(GetParam().text);
@@ -52,15 +66,8 @@ TEST_P(MisWeights, EqualTheSlowOracleOnRandomPaths) {
       settings.light_paths_per_pixel = 0.5;
       PathSampler sampler(*scene, settings);
       CheckingRecorder sink(*scene, settings);
-      const Vec2 size(scene->camera().resolution());
-      for (std::uint32_t i = 0; i < 600; ++i) {
-        IndependentSource source({1, i, 2, i});
-        const Vec2 raster = source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size;
-        sink.begin(raster);
-        if (!set.any(TechniqueClass::Inner)) sampler.sample_light(source, sink);
-        sampler.sample(source, raster, sink);
-        if (HasFailure()) return;
-      }
+      sample(*scene, sampler, sink, 600, !set.any(TechniqueClass::Inner));
+      if (HasFailure()) return;
       EXPECT_EQ(sink.lost(), 0U);
       EXPECT_FALSE(sink.checked.empty()) << "no path was checked";
     }
@@ -93,24 +100,43 @@ class CheckingShares final : public PathRecorder {
 
 TEST_P(MisWeights, OfClassesAreThoseOfTheirTechniques) {
   const auto scene = test::scene_from(GetParam().text);
-  for (const Heuristic heuristic : {Heuristic::Balance, Heuristic::Power}) {
-    PathSamplerSettings settings;
-    settings.techniques = TechniqueSet::bdpt();
-    settings.heuristic = heuristic;
-    settings.max_depth = 6;
-    settings.shares_by_class = true;
-    PathSampler sampler(*scene, settings);
-    CheckingShares sink(*scene, settings);
-    const Vec2 size(scene->camera().resolution());
-    for (std::uint32_t i = 0; i < 200; ++i) {
-      IndependentSource source({1, i, 2, i});
-      const Vec2 raster = source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size;
-      sink.begin(raster);
-      sampler.sample(source, raster, sink);
+  // Paths of any depth, and of one: other coefficients, and other paths that leave the scene.
+  for (const int min_depth : {1, 4}) {
+    for (const Heuristic heuristic : {Heuristic::Balance, Heuristic::Power}) {
+      PathSamplerSettings settings;
+      settings.techniques = TechniqueSet::bdpt();
+      settings.heuristic = heuristic;
+      settings.min_depth = min_depth;
+      settings.max_depth = min_depth == 1 ? 6 : min_depth;
+      settings.shares_by_class = true;
+      PathSampler sampler(*scene, settings);
+      CheckingShares sink(*scene, settings);
+      sample(*scene, sampler, sink, 200);
       if (HasFailure()) return;
+      const int checked = std::accumulate(sink.checked.begin(), sink.checked.end(), 0);
+      EXPECT_TRUE(checked > 0 || min_depth > 1);
     }
-    EXPECT_GT(std::accumulate(sink.checked.begin(), sink.checked.end(), 0), 0);
   }
+}
+
+/// Path tracing by the same numbers has the rays that are left of those of all techniques.
+TEST_P(MisWeights, RaysAreCountedByUse) {
+  const auto scene = test::scene_from(GetParam().text);
+  PathSamplerSettings settings;
+  settings.max_depth = 6;
+  PathSampler by_path_tracing(*scene, settings);
+  CheckingRecorder of_path_tracing(*scene, settings);
+  sample(*scene, by_path_tracing, of_path_tracing, 200);
+  settings.techniques = TechniqueSet::bdpt();
+  PathSampler by_all(*scene, settings);
+  CheckingRecorder of_all(*scene, settings);
+  sample(*scene, by_all, of_all, 200);
+  const RaysByUse& use = by_all.rays_by_use();
+  const std::uint64_t to_lens = use.connections[index_of(TechniqueClass::Light)];
+  const std::uint64_t inner = use.connections[index_of(TechniqueClass::Inner)];
+  EXPECT_EQ(by_all.rays() - use.light_walk - to_lens - inner, by_path_tracing.rays());
+  EXPECT_EQ(use.connections[index_of(TechniqueClass::NextEvent)],
+            by_path_tracing.rays_by_use().connections[index_of(TechniqueClass::NextEvent)]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, MisWeights, ::testing::ValuesIn(test::small_scenes()),

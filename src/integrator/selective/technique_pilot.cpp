@@ -30,7 +30,7 @@ std::vector<PathFamilyDefaults> technique_offers() {
   return offers;
 }
 
-/// Over those of `bdpt` with one light subpath.
+/// Counts of classes over those of `bdpt` with one light subpath.
 ByTechniqueClass<double> relative_counts(const PathFamilyDefaults& offer) {
   const TechniqueSet set = TechniqueSet::parse(offer.techniques);
   ByTechniqueClass<double> counts{};
