@@ -7,12 +7,8 @@ namespace ajar {
 PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings)
     : scene_(scene),
       settings_(settings),
-      camera_walk_{TransportMode::Radiance,
-                   Stream::Camera,
-                   settings.heuristic,
-                   settings.roulette_start,
-                   settings.techniques.needs_light_subpath(),
-                   settings.camera_rest > 0.F},
+      camera_walk_{TransportMode::Radiance, Stream::Camera, settings.heuristic,
+                   settings.roulette_start, settings.techniques.needs_light_subpath()},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
                   settings.roulette_start, true},
       only_depth_(settings.min_depth == settings.max_depth && !settings.shares_by_class
@@ -242,8 +238,18 @@ void PathSampler::leave_scene(const Flight& flight, const SegmentEnd& end, PathS
 }
 
 void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink) {
+  learns_ = sink.learns();
   Flight flight;
-  if (!start_camera(source, raster, sink, flight)) return;
+  if (start_camera(source, raster, sink, flight)) follow_camera(flight, source, sink);
+}
+
+void PathSampler::follow_camera(Flight& flight, SampleSource& source, PathSink& sink) {
+  const std::size_t first = departures_.size();
+  walk_camera(flight, source, sink);
+  if (settings_.cells != nullptr) learn(first, sink);
+}
+
+void PathSampler::walk_camera(Flight& flight, SampleSource& source, PathSink& sink) {
   const bool walks_on =
       has(TechniqueClass::Implicit) || has(TechniqueClass::NextEvent) || has(TechniqueClass::Inner);
   const int last_edge = walks_on ? settings_.max_depth : 1;
@@ -265,16 +271,40 @@ void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSin
                 {end.hit->point, Vec3(0.F)}, sink);
     }
     if (edges >= last_edge || vertex.throughput.is_black()) return;
-    if (vertex.connectible()) {
-      if (wants({1, edges + 1})) connect_to_lights(vertex, source, sink);
-      for (std::size_t i = 0; i < light_vertex_count_; ++i) {
-        connect_inner(vertex, light_vertices_[i], source, sink);
-      }
+    if (settings_.cells != nullptr) {
+      // Connections to light subpaths come once, whatever the number of samples.
+      connect_to_light_subpaths(vertex, source, sink);
+      const Departure departure = arrive_in_cell(vertex, sink);
+      if (split(vertex, departure.cell, flight, source, sink)) return;
+      if (!sample_vertex(vertex, departure, source, sink, flight)) return;
+      continue;
     }
-    if (!scatter(camera_walk_, vertex, source, flight)) return;
-    if (flight.edges + flight.surplus >= settings_.counted.maximum) return;
-    sink.scattered(Stream::Camera, vertex, flight);
+    connect_to_lamps(vertex, source, sink);
+    connect_to_light_subpaths(vertex, source, sink);
+    if (!depart(vertex, {0.F, 0.F}, source, sink, flight)) return;
   }
+}
+
+void PathSampler::connect_to_lamps(const PathVertex& vertex, SampleSource& source, PathSink& sink) {
+  if (vertex.connectible() && wants({1, vertex.edges + 1})) {
+    connect_to_lights(vertex, source, sink);
+  }
+}
+
+void PathSampler::connect_to_light_subpaths(const PathVertex& vertex, SampleSource& source,
+                                            PathSink& sink) {
+  if (!vertex.connectible()) return;
+  for (std::size_t i = 0; i < light_vertex_count_; ++i) {
+    connect_inner(vertex, light_vertices_[i], source, sink);
+  }
+}
+
+bool PathSampler::depart(const PathVertex& vertex, const WorthOfDirection& worth,
+                         SampleSource& source, PathSink& sink, Flight& flight) {
+  if (!scatter(camera_walk_, vertex, source, flight, worth)) return false;
+  if (flight.edges + flight.surplus >= settings_.counted.maximum) return false;
+  sink.scattered(Stream::Camera, vertex, flight);
+  return true;
 }
 
 }  // namespace ajar

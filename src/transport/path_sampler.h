@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "transport/branches.h"
 #include "transport/counted_depth.h"
+#include "transport/efficiency_cells.h"
 #include "transport/sample_source.h"
 #include "transport/subpath.h"
 #include "transport/technique_set.h"
@@ -49,6 +51,11 @@ class PathSink {
   virtual float rays_per_unit_light(const Vec2& /*raster*/) const {
     return std::numeric_limits<float>::infinity();
   }
+  /// Luminance that all contributions of camera subpaths together have brought, in units of
+  /// `Contribution::value`: what of it efficiency is judged by (`PathSamplerSettings::cells`).
+  virtual double brought() const { return 0.0; }
+  /// True if the cells are told of the next camera subpath.
+  virtual bool learns() const { return false; }
   /// The first surface or medium vertex the camera sees, at `distance` from it; `hit` is null for a
   /// medium vertex.
   virtual void first_vertex(const PathVertex& /*vertex*/, const Hit* /*hit*/, float /*distance*/) {}
@@ -81,6 +88,9 @@ struct PathSamplerSettings {
   /// from `TransportHeuristics::kEfficientRouletteStart` on. 0: not known; roulette follows the
   /// throughput alone.
   float camera_rest = 0.F;
+  /// Camera subpaths survive and are split by what is known here, and tell it what they bring;
+  /// null: roulette follows the throughput alone. Must outlive the sampler.
+  EfficiencyCells* cells = nullptr;
   /// Makes `Contribution::shares`, at a few more operations for each vertex of each connection.
   bool shares_by_class = false;
 };
@@ -172,11 +182,42 @@ class PathSampler {
                 Observer& observer);
   void trace_light(SampleSource& source, PathSink& sink, int repeat);
   void trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink);
+  /// The rest of a camera subpath, and of all it is split into.
+  void follow_camera(Flight& flight, SampleSource& source, PathSink& sink);
+  void walk_camera(Flight& flight, SampleSource& source, PathSink& sink);
+  /// False if the subpath ends at this vertex.
+  bool depart(const PathVertex& vertex, const WorthOfDirection& worth, SampleSource& source,
+              PathSink& sink, Flight& flight);
+
+  // Efficiency, in path_efficiency.cpp.
+
+  /// A camera subpath at one of its vertices, to be told what it brought from there on.
+  struct Departure {
+    std::uint32_t cell;
+    bool specular = false;
+    float arrived_with;          ///< throughput before the vertex, largest lane
+    float left_with = 0.F;       ///< after it; 0 if it ended there
+    double brought_before;       ///< before its own connection to a lamp
+    double brought_there = 0.0;  ///< after that
+    std::uint64_t rays_before;
+    std::uint64_t rays_there = 0;
+  };
+  Departure arrive_in_cell(const PathVertex& vertex, const PathSink& sink) const;
+  /// One sample at a vertex: a connection to a lamp, and a direction. False if it ends there.
+  bool sample_vertex(const PathVertex& vertex, Departure departure, SampleSource& source,
+                     PathSink& sink, Flight& flight);
+  /// Splits a subpath if that pays. Returns false if it goes on as one.
+  bool split(const PathVertex& vertex, std::uint32_t cell, const Flight& flight,
+             SampleSource& source, PathSink& sink);
+  /// Tells cells what a subpath has brought since the departures from number `first` on.
+  void learn(std::size_t first, const PathSink& sink);
   SegmentEnd trace(const WalkSettings& walk, const Flight& flight, SampleSource& source);
 
   // Connections, in path_connections.cpp.
   void hit_light(const Flight& flight, const SegmentEnd& end, const MisState& mis,
                  const Light& light, const EndpointPoint& point, PathSink& sink);
+  void connect_to_lamps(const PathVertex& vertex, SampleSource& source, PathSink& sink);
+  void connect_to_light_subpaths(const PathVertex& vertex, SampleSource& source, PathSink& sink);
   void connect_to_lights(const PathVertex& vertex, SampleSource& source, PathSink& sink);
   void connect_to_light(const PathVertex& vertex, SampleSource& source, int repeat, PathSink& sink);
   void connect_to_camera(const PathVertex& vertex, SampleSource& source, PathSink& sink);
@@ -251,6 +292,9 @@ class PathSampler {
   std::vector<MisTrailEntry> camera_trail_;
   std::vector<MisTrailEntry> light_trails_;
   ByTechniqueClass<float> shares_{};  ///< shares of the last MIS weight
+  Branches branches_;                 ///< of the current camera subpath
+  bool learns_ = false;               ///< cells are told of it
+  std::vector<Departure> departures_;
   RayCounts rays_;
   RaysByUse rays_by_use_;
 };

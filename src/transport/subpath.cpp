@@ -73,7 +73,7 @@ void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd
 }
 
 bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source,
-             Flight& flight) {
+             Flight& flight, const WorthOfDirection& worth) {
   BsdfUniforms u{};
   const auto address = [&](Slot slot) {
     return SampleAddress(settings.stream, vertex.edges, slot, settings.repeat);
@@ -90,11 +90,15 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   flight.throughput = vertex.throughput * sample->weight;
   flight.lanes = vertex.lanes;
   if (settings.mode == TransportMode::Radiance) flight.roulette_scale *= sample->eta * sample->eta;
+  const float own_worth = worth[sample->pdf.discrete() ? 1 : 0];
   const bool is_long = vertex.edges >= settings.roulette_start;
-  if (is_long || (settings.efficient_roulette &&
-                  vertex.edges >= TransportHeuristics::kEfficientRouletteStart)) {
-    const float survival =
-        std::min(is_long ? 0.95F : 1.F, flight.throughput.max() * flight.roulette_scale);
+  const bool is_judged =
+      settings.efficient_roulette && vertex.edges >= TransportHeuristics::kEfficientRouletteStart;
+  if (is_long || is_judged || own_worth > 0.F) {
+    const float survival = std::min(
+        is_long ? 0.95F : 1.F, own_worth > 0.F ? std::max(TransportHeuristics::kLeastSurvival,
+                                                          flight.throughput.max() * own_worth)
+                                               : flight.throughput.max() * flight.roulette_scale);
     if (survival != 1.F) {
       if (!(source.get(address(Slot::Roulette)) < survival)) return false;
       flight.throughput /= survival;

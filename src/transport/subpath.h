@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "transport/kept_directions.h"
 #include "transport/mis.h"
 #include "transport/path_vertex.h"
@@ -69,10 +71,15 @@ void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd
 MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
                  const MediumPoint& end, bool at_infinity, double class_coefficient);
 
+/// What a direction is worth: samples per unit of throughput, by rough lobes and by specular ones;
+/// 0 where it is not known (`EfficiencyCells`).
+using WorthOfDirection = std::array<float, 2>;
+
 /// Scatters at `vertex` and sets off again; false if the subpath ends (absorbed, or Russian
 /// roulette, which leaves the expectation unchanged: survivors are divided by the probability to
-/// survive).
+/// survive). Where the worth of the direction is known, roulette follows that, and may end paths of
+/// any length; else it follows the throughput of long ones.
 bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSource& source,
-             Flight& flight);
+             Flight& flight, const WorthOfDirection& worth = {0.F, 0.F});
 
 }  // namespace ajar

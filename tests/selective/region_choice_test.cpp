@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
+#include "integrator/montecarlo/weighted_errors.h"
 #include "integrator/selective/chain_fraction.h"
 #include "integrator/selective/heuristics.h"
-#include "integrator/selective/weighted_errors.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 

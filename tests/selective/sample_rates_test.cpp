@@ -9,7 +9,7 @@
 
 #include "core/random.h"
 #include "integrator/montecarlo/path_family.h"
-#include "integrator/selective/weighted_errors.h"
+#include "integrator/montecarlo/weighted_errors.h"
 #include "support/render.h"
 #include "support/same_picture.h"
 

@@ -16,6 +16,13 @@ struct MonteCarloHeuristics {
   /// Unit: rate over the mean rate. Range: >= 1. Source: docs/notebook/selective.md, "Constants".
   static constexpr double kMostRate = 8.0;
 
+  // -------------------------------------------------------- errors of pixels
+  /// Trimming of variances: the worst of so many pixels are left out, since chains' errors are in
+  /// few. Unit: pixels. Range: > 1. Source: 3ed3aa3: trials on door-ajar, torus-in-glass, pool and
+  /// teapot-full show a C of 4 to 5 without the worst of 100, and of 10, 7, 6 and 16 without that
+  /// of 1000.
+  static constexpr std::size_t kWorstOf = 1000;
+
   // -------------------------------------------------------- scale of a picture
   //
   // Groups for the median of means: it sets the unit of sums, and the scale of weak connections
@@ -27,6 +34,14 @@ struct MonteCarloHeuristics {
   /// Unit: camera samples of a group. Range: >= 1. Source: the same. 5b5c42c: 4096 in all are two
   /// per pixel of a small picture.
   static constexpr std::uint32_t kScaleGroupSize = 256;
+
+  // -------------------------------------------------------- roulette by efficiency
+  /// Camera samples of a pixel that all tell what their rays have brought.
+  /// Unit: samples. Range: >= 1. Source: docs/notebook/roulette.md, "Cells".
+  static constexpr std::uint64_t kSamplesToLearn = 8;
+  /// Later ones tell it one time in so many, because telling takes time.
+  /// Unit: samples. Range: >= 1. Source: docs/notebook/roulette.md, "Cells".
+  static constexpr std::uint64_t kLearnsFromOneOf = 4;
 
   // -------------------------------------------------------- features
   /// Camera rays of a pixel by which filters get to know the scene.

@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <mutex>
+#include <stdexcept>
 
+#include "core/archive.h"
+#include "core/milestones.h"
 #include "core/random_use.h"
+#include "image/statistics.h"
 #include "integrator/make_filter.h"
 #include "integrator/montecarlo/blind_spots.h"
+#include "integrator/montecarlo/efficient_roulette.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/heuristics.h"
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/montecarlo/sample_sink.h"
 #include "integrator/montecarlo/technique_layers.h"
+#include "integrator/montecarlo/weighted_errors.h"
 #include "transport/sources.h"
 
 namespace ajar {
@@ -39,6 +45,11 @@ class PathIntegrator final : public Integrator {
     tiles_ = {(size.x + kTileSize - 1) / kTileSize, (size.y + kTileSize - 1) / kTileSize};
     cull_below_ = parameters.get_float("cull") * scale_.median_of_means;
     if (price_ != nullptr) sampler_settings_.camera_rest = static_cast<float>(price_->rest());
+    // Without replicates, nobody knows the noise.
+    if (parameters.get_text("roulette") == "efficient" && settings.replicates > 1) {
+      roulette_ = std::make_unique<EfficientRoulette>(scene.bounds(), settings.crop, scale_.mean);
+      sampler_settings_.cells = &roulette_->cells();
+    }
   }
   const PictureScale& scale() const { return scale_; }
   Findings findings() const override;
@@ -64,6 +75,32 @@ class PathIntegrator final : public Integrator {
     return specs;
   }
 
+  void begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/, Film& film) override {
+    if (!roulette_) return;
+    const std::uint64_t doubling = last_doubling(first_sample, replicates());
+    if (doubling <= doubled_at_) return;
+    doubled_at_ = doubling;
+    end_round(first_sample, film);
+  }
+
+  bool keeps_state() const override { return roulette_ != nullptr; }
+  void save_state(OutputArchive& archive) const override {
+    archive(doubled_at_);
+    roulette_->save_state(archive);
+  }
+  void load_state(InputArchive& archive, std::uint64_t samples) override {
+    archive(doubled_at_);
+    if (doubled_at_ > samples) throw std::runtime_error("corrupt checkpoint: wrong pass");
+    roulette_->load_state(archive);
+  }
+  void export_delta(OutputArchive& archive, const WorkSlice& /*slice*/) override {
+    if (roulette_) roulette_->export_delta(archive);
+  }
+  void import_delta(InputArchive& archive, const WorkSlice& /*slice*/) override {
+    if (roulette_) roulette_->import_delta(archive);
+  }
+  std::uint64_t memory_bytes() const override { return roulette_ ? roulette_->memory_bytes() : 0; }
+
   std::uint64_t items_in_round() const override {
     return static_cast<std::uint64_t>(tiles_.x) * static_cast<std::uint64_t>(tiles_.y);
   }
@@ -77,11 +114,12 @@ class PathIntegrator final : public Integrator {
                      std::min(low.y + kTileSize - 1, settings_.crop.max.y));
     const GBuffer g_buffer(film);
     const TechniqueLayers techniques(film);
-    SampleSink sink(film, divisions_, price_, cull_below_, g_buffer, techniques, settings_.seed,
-                    counters);
+    SampleSink sink(film, divisions_, price_, roulette_.get(), cull_below_, g_buffer, techniques,
+                    settings_.seed, counters);
     PathSampler sampler(scene_, sampler_settings_);
     const auto strong = strong_ != nullptr ? strong_->make(film, counters) : nullptr;
     if (strong) sink.keep_strong_for(*strong);
+    std::uint64_t own_samples = 0;
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         std::uint64_t camera_samples = 0;
@@ -89,11 +127,13 @@ class PathIntegrator final : public Integrator {
           camera_samples += sample_pixel({x, y}, i, film, sampler, sink, strong.get());
         }
         sink.end_pixel(camera_samples);
-        counters.samples += camera_samples;
+        own_samples += camera_samples;
       }
     }
     sink.end();
+    counters.samples += own_samples;
     counters.add_rays(sampler.ray_counts());
+    if (roulette_ != nullptr) roulette_->count(sampler.rays(), own_samples);
   }
 
   DevelopScale develop_scale(const LayerSpec& /*layer*/, std::uint64_t samples,
@@ -215,6 +255,8 @@ class PathIntegrator final : public Integrator {
   }
 
   PictureScale measure_scale() const;
+  /// Roulette learns from what was rendered so far.
+  void end_round(std::uint64_t samples, const Film& film);
 
   const Scene& scene_;
   RenderSettings settings_;
@@ -227,7 +269,9 @@ class PathIntegrator final : public Integrator {
   bool sobol_;
   bool light_alone_;
   PictureScale scale_;  ///< by its mean the fixed-point sums are scaled
-  double cull_below_;   ///< light that is worth a ray, unless there is a price
+  double cull_below_;   ///< light that is worth a ray, unless a price is known
+  std::unique_ptr<EfficientRoulette> roulette_;  ///< null if it follows the throughput alone
+  std::uint64_t doubled_at_ = 0;                 ///< samples per pixel
   Vec2i tiles_;
   mutable std::once_flag looked_around_;
   mutable std::vector<Warning> concerns_;
@@ -241,6 +285,13 @@ Findings PathIntegrator::findings() const {
   found.concerns = concerns_;
   found.misses_light = !concerns_.empty();
   return found;
+}
+
+void PathIntegrator::end_round(std::uint64_t samples, const Film& film) {
+  const Replicates pictures = develop_layers(film, *this, samples, {"direct", "indirect"});
+  const ImportanceMap importance = relative_importance(pictures, settings_.crop);
+  roulette_->end_round(importance,
+                       weighted_errors(pictures, settings_.crop, importance).of_sample(samples));
 }
 
 class MeanSink final : public PathSink {
@@ -330,6 +381,7 @@ std::vector<ParameterSpec> path_family_parameters(const PathFamilyDefaults& defa
            "where the random numbers come from: Owen-scrambled Sobol' points, or independent ones",
        .choices = {"sobol", "independent"}},
       heuristic_parameter(),
+      roulette_parameter("usual"),
       roulette_start_parameter(defaults.roulette_start)};
   mark_experts(specs, {"techniques", kLightPathsPerPixel, "sampler"});
   return specs;

@@ -34,6 +34,15 @@ ParameterSpec heuristic_parameter() {
                           "how techniques that find the same path share it (Veach & Guibas 1995)");
 }
 
+ParameterSpec roulette_parameter(std::string default_value) {
+  ParameterSpec spec = choice_parameter(
+      "roulette", {"efficient", "usual"},
+      "Russian roulette of camera paths: by what rays bring for their price, as the render finds "
+      "it, which splits paths, too, where that pays (Rath et al. 2022); or by throughput alone");
+  spec.default_value = std::move(default_value);
+  return spec;
+}
+
 ParameterSpec roulette_start_parameter(int default_value) {
   return {.name = "roulette-start",
           .type = ParameterType::Int,

@@ -12,6 +12,8 @@ ParameterSpec techniques_parameter(std::string default_value, std::string more_h
 inline const std::string kLightPathsPerPixel = "light-paths-per-pixel";
 ParameterSpec light_paths_parameter(double default_value, std::string help);
 ParameterSpec heuristic_parameter();
+/// Choice between roulette by efficiency and by throughput alone.
+ParameterSpec roulette_parameter(std::string default_value);
 ParameterSpec roulette_start_parameter(int default_value);
 
 /// By the parameter of that name.

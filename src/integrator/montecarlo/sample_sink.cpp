@@ -4,14 +4,19 @@
 #include <cmath>
 #include <string>
 
+#include "core/random.h"
+#include "integrator/montecarlo/heuristics.h"
+
 namespace ajar {
 
 SampleSink::SampleSink(Film& film, const Divisions* divisions, const RayPrice* price,
-                       double cull_below, const GBuffer& g_buffer,
-                       const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters)
+                       const EfficientRoulette* roulette, double cull_below,
+                       const GBuffer& g_buffer, const TechniqueLayers& techniques,
+                       std::uint64_t seed, Counters& counters)
     : film_(film),
       divisions_(divisions),
       price_(price),
+      roulette_(roulette),
       rays_per_unit_light_(static_cast<float>(1.0 / cull_below)),
       layers_{film.layer("direct"), std::max(film.layer(kWeakLayer), film.layer("indirect")),
               film.layer(kStrongLayer)},
@@ -38,6 +43,7 @@ void SampleSink::begin_sample(const Vec2& raster, float filter_weight, float wei
   weight_ = weight;
   sample_ = sample;
   sees_something_ = false;
+  brought_ = 0.0;
   direct_ = Spectrum();
   indirect_ = Spectrum();
   strong_light_ = Spectrum();
@@ -67,8 +73,9 @@ void SampleSink::add(const Contribution& whole) {
       discard(contribution);
     }
   } else {
-    tally_.add_camera_contribution(contribution.technique,
-                                   luminance(value) * filter_weight_ * weight_);
+    const float light = luminance(value);
+    brought_ += static_cast<double>(light);
+    tally_.add_camera_contribution(contribution.technique, light * filter_weight_ * weight_);
     (direct ? direct_ : indirect_) += value;
   }
 }
@@ -83,7 +90,15 @@ bool SampleSink::reaches(const Vec2& raster) const {
 }
 
 float SampleSink::rays_per_unit_light(const Vec2& raster) const {
-  return price_ != nullptr ? price_->rays_per_unit_light(raster) : rays_per_unit_light_;
+  if (price_ != nullptr) return price_->rays_per_unit_light(raster);
+  return roulette_ != nullptr && roulette_->is_known() ? roulette_->rays_per_unit_light(raster)
+                                                       : rays_per_unit_light_;
+}
+
+bool SampleSink::learns() const {
+  return roulette_ != nullptr &&
+         (sample_ < MonteCarloHeuristics::kSamplesToLearn ||
+          hash_numbers(pixel_.x, pixel_.y, sample_) % MonteCarloHeuristics::kLearnsFromOneOf == 0);
 }
 
 void SampleSink::first_vertex(const PathVertex& vertex, const Hit* hit, float distance) {

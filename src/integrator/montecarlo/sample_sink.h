@@ -5,6 +5,7 @@
 #include "image/film.h"
 #include "integrator/division.h"
 #include "integrator/integrator.h"
+#include "integrator/montecarlo/efficient_roulette.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/ray_price.h"
 #include "integrator/montecarlo/sample_rates.h"
@@ -23,10 +24,11 @@ namespace ajar {
 class SampleSink final : public PathSink {
  public:
   /// `divisions` is null where nothing is left to chains; `cull_below`: contribution worth a ray
-  /// where there is no `price`. References must outlive the sink.
-  SampleSink(Film& film, const Divisions* divisions, const RayPrice* price, double cull_below,
-             const GBuffer& g_buffer, const TechniqueLayers& techniques, std::uint64_t seed,
-             Counters& counters);
+  /// where neither `price` nor `roulette` knows better; both may be null. References must outlive
+  /// the sink.
+  SampleSink(Film& film, const Divisions* divisions, const RayPrice* price,
+             const EfficientRoulette* roulette, double cull_below, const GBuffer& g_buffer,
+             const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters);
 
   /// `light_weight`: weight of light subpaths that reach the lens. `guess`, the control variate, is
   /// added to the film, and subtracted from each camera sample.
@@ -40,6 +42,8 @@ class SampleSink final : public PathSink {
   void add(const Contribution& whole) override;
   bool reaches(const Vec2& raster) const override;
   float rays_per_unit_light(const Vec2& raster) const override;
+  double brought() const override { return brought_; }
+  bool learns() const override;
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override;
 
   /// From now on keeps strong paths, above the threshold of `sink`.
@@ -71,6 +75,7 @@ class SampleSink final : public PathSink {
   const Divisions* divisions_;
   const Division* division_ = nullptr;  ///< division of the replicate
   const RayPrice* price_;
+  const EfficientRoulette* roulette_;
   float rays_per_unit_light_;
   Layers layers_;
   const GBuffer& g_buffer_;
@@ -87,6 +92,7 @@ class SampleSink final : public PathSink {
   SampleRates::Guess guess_;
   std::uint64_t sample_ = 0;
   bool sees_something_ = false;  ///< the camera ray of this sample has met something
+  double brought_ = 0.0;         ///< luminance, of this sample
   Spectrum direct_;
   Spectrum indirect_;
   Spectrum strong_light_;

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "image/pixel_at.h"
-#include "integrator/selective/weighted_errors.h"
+#include "integrator/montecarlo/weighted_errors.h"
 
 namespace ajar {
 

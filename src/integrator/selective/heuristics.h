@@ -86,11 +86,6 @@ struct SelectiveHeuristics {
   /// Unit: brightness. Range: > 0. Source: 3ed3aa3: at 1, roulette is a third of the variance on
   /// cornell-box.
   static constexpr double kPilotRoulette = 0.25;
-  /// Trimming of variances: the worst of so many pixels are left out, since chains' errors are in
-  /// few. Unit: pixels. Range: > 1. Source: 3ed3aa3: trials on door-ajar, torus-in-glass, pool and
-  /// teapot-full show a C of 4 to 5 without the worst of 100, and of 10, 7, 6 and 16 without that
-  /// of 1000.
-  static constexpr std::size_t kWorstOf = 1000;
 
   // -------------------------------------------------------- what mutations are worth
   /// C, before the render shows it: what a chain's mutations leave over what as many independent

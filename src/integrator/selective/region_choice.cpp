@@ -10,7 +10,7 @@
 #include "integrator/regions/region_map.h"
 #include "integrator/selective/heuristics.h"
 #include "integrator/selective/optimal_thresholds.h"
-#include "integrator/selective/weighted_errors.h"
+#include "integrator/montecarlo/weighted_errors.h"
 
 namespace ajar {
 

@@ -7,7 +7,7 @@
 
 #include "core/archive_forward.h"
 #include "integrator/selective/preparation.h"
-#include "integrator/selective/weighted_errors.h"
+#include "integrator/montecarlo/weighted_errors.h"
 
 namespace ajar {
 

@@ -21,7 +21,7 @@
 #include "integrator/selective/report.h"
 #include "integrator/selective/roulette_pilot.h"
 #include "integrator/selective/technique_pilot.h"
-#include "integrator/selective/weighted_errors.h"
+#include "integrator/montecarlo/weighted_errors.h"
 
 namespace ajar {
 

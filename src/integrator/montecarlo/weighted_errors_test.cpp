@@ -1,4 +1,4 @@
-#include "integrator/selective/weighted_errors.h"
+#include "integrator/montecarlo/weighted_errors.h"
 
 #include <gtest/gtest.h>
 

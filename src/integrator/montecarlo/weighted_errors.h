@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <initializer_list>
 #include <numeric>
 #include <span>
@@ -23,11 +24,16 @@ std::vector<std::vector<float>> weighted_light(const Replicates& replicates, con
 struct WeightedErrors {
   std::vector<double> variance;  ///< importance² · variance of the mean over replicates
   std::vector<double> light;     ///< importance · mean
+  /// importance² · variance of a single one of these samples.
+  std::vector<double> of_sample(std::uint64_t samples) const;
 };
 
 /// Errors of each pixel of `crop`. `replicates`: at least two pictures of it, each unbiased.
 WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
                                const ImportanceMap& importance);
+
+/// Importance that equalises relative errors; constant where all is black.
+ImportanceMap relative_importance(const Replicates& replicates, const Box2i& crop);
 
 /// Variance of the mean over pictures, of which there must be two, value by value.
 std::vector<double> variance_of_mean(std::span<const std::vector<float>> pictures);

@@ -1,9 +1,9 @@
-#include "integrator/selective/weighted_errors.h"
+#include "integrator/montecarlo/weighted_errors.h"
 
 #include <algorithm>
 
 #include "core/spectrum.h"
-#include "integrator/selective/heuristics.h"
+#include "integrator/montecarlo/heuristics.h"
 
 namespace ajar {
 
@@ -66,8 +66,25 @@ WeightedErrors weighted_errors(const Replicates& replicates, const Box2i& crop,
   return errors;
 }
 
+std::vector<double> WeightedErrors::of_sample(std::uint64_t samples) const {
+  std::vector<double> result = variance;
+  for (double& value : result) value *= static_cast<double>(samples);
+  return result;
+}
+
+ImportanceMap relative_importance(const Replicates& replicates, const Box2i& crop) {
+  const std::vector<float> mean = replicate_mean(replicates);
+  std::vector<float> luminances(mean.size() / 3);
+  for (std::size_t i = 0; i < luminances.size(); ++i) {
+    luminances[i] = luminance(Spectrum(mean[3 * i], mean[3 * i + 1], mean[3 * i + 2]));
+  }
+  const bool is_black =
+      std::none_of(luminances.begin(), luminances.end(), [](float value) { return value > 0.F; });
+  return is_black ? ImportanceMap() : ImportanceMap::relative(crop, std::move(luminances));
+}
+
 std::vector<double> trimmed(std::vector<double> variance) {
-  constexpr std::size_t kOneOf = SelectiveHeuristics::kWorstOf;
+  constexpr std::size_t kOneOf = MonteCarloHeuristics::kWorstOf;
   std::vector<double> sorted = variance;
   const auto limit = sorted.end() - static_cast<std::ptrdiff_t>(sorted.size() / kOneOf);
   if (limit == sorted.end()) return variance;

@@ -1,0 +1,78 @@
+#include <algorithm>
+
+#include "transport/heuristics.h"
+#include "transport/path_sampler.h"
+
+namespace ajar {
+
+PathSampler::Departure PathSampler::arrive_in_cell(const PathVertex& vertex,
+                                                   const PathSink& sink) const {
+  return {.cell = settings_.cells->find(vertex),
+          .arrived_with = vertex.throughput.max(),
+          .brought_before = sink.brought(),
+          .rays_before = rays_.rays};
+}
+
+bool PathSampler::sample_vertex(const PathVertex& vertex, Departure departure, SampleSource& source,
+                                PathSink& sink, Flight& flight) {
+  connect_to_lamps(vertex, source, sink);
+  departure.brought_there = sink.brought();
+  departure.rays_there = rays_.rays;
+  const EfficiencyCells::Worth& worth = settings_.cells->worth(departure.cell);
+  const bool leaves =
+      depart(vertex, {worth.rest[0] * rays_per_unit_light_, worth.rest[1] * rays_per_unit_light_},
+             source, sink, flight);
+  if (leaves) {
+    departure.specular = flight.specular;
+    departure.left_with = flight.throughput.max();
+  }
+  if (learns_) departures_.push_back(departure);
+  return leaves;
+}
+
+bool PathSampler::split(const PathVertex& vertex, std::uint32_t cell, const Flight& flight,
+                        SampleSource& source, PathSink& sink) {
+  if (branches_.full()) return false;
+  const float worth = TransportHeuristics::kSpreadOfVertex * vertex.throughput.max() *
+                      settings_.cells->worth(cell).whole * rays_per_unit_light_;
+  // A whole number, so that no chance is in the weights.
+  const auto most = static_cast<float>(TransportHeuristics::kMostPaths / branches_.paths());
+  const int samples = static_cast<int>(std::min(worth + 0.5F, most));
+  if (samples < 2) return false;
+  PathVertex own = vertex;
+  own.throughput /= static_cast<float>(samples);
+  own.roulette /= static_cast<float>(samples);
+  for (int i = 0; i < samples; ++i) {
+    branches_.enter(vertex.edges, i, samples);
+    source.set_branches(branches_);
+    Flight branch = flight;
+    branch.roulette = own.roulette;
+    const std::size_t first = departures_.size();
+    if (sample_vertex(own, arrive_in_cell(own, sink), source, sink, branch)) {
+      follow_camera(branch, source, sink);
+    }
+    learn(first, sink);
+    branches_.leave();
+  }
+  source.set_branches(branches_);
+  return true;
+}
+
+void PathSampler::learn(std::size_t first, const PathSink& sink) {
+  if (departures_.size() == first) return;
+  const double brought = sink.brought();
+  EfficiencyCells& cells = *settings_.cells;
+  for (std::size_t i = first; i < departures_.size(); ++i) {
+    const Departure& from = departures_[i];
+    cells.add_whole(from.cell,
+                    (brought - from.brought_before) / static_cast<double>(from.arrived_with),
+                    rays_.rays - from.rays_before);
+    if (!(from.left_with > 0.F)) continue;
+    cells.add_rest(from.cell, from.specular,
+                   (brought - from.brought_there) / static_cast<double>(from.left_with),
+                   rays_.rays - from.rays_there);
+  }
+  departures_.resize(first);
+}
+
+}  // namespace ajar
