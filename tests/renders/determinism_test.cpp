@@ -64,6 +64,16 @@ TEST_P(SameBits, OnAnyNumberOfThreads) {
   }
 }
 
+/// Rounds of roulette end at 4 and 8 samples per pixel.
+TEST_P(SameBits, OfEfficientRouletteOnAnyNumberOfThreads) {
+  const auto scene = test::scene_from(GetParam().text);
+  const IntegratorInfo& info = find_integrator("bdpt");
+  const std::map<std::string, std::string> parameters = {{"roulette", "efficient"}};
+  const std::vector<std::int64_t> one = sums(*scene, info, 1, {}, parameters);
+  EXPECT_EQ(sums(*scene, info, threads(), {}, parameters), one);
+  EXPECT_NE(sums(*scene, info, 1, {}, {}), one) << "it has done nothing";
+}
+
 /// Chains with their options, on scenes that differ in film, camera and media.
 class OptionsSameBits : public SameBits {};
 

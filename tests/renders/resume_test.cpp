@@ -38,6 +38,7 @@ struct Method {
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const IntegratorInfo& info : integrators()) methods.push_back({info.name, {}});
+  methods.push_back({"ibpt", {{"roulette", "efficient"}}, {}, 32});
   methods.push_back({"mmlt", {{"multi-try", "2"}}});
   methods.push_back({"mmlt", {{"step", "adaptive"}, {"m1", "1"}}});
   methods.push_back({"mmlt", {{"mutation", "fusion"}, {"rule", "published"}, {"m1", "1"}}});
