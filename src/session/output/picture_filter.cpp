@@ -6,10 +6,23 @@
 
 #include "image/relative_error.h"
 #include "post/denoise/mix_estimates.h"
+#include "session/job/resources.h"
 
 namespace ajar {
 
 namespace {
+
+/// Replicates of a film, as `mixes` wants them.
+constexpr std::size_t kReplicates = 4;
+/// Filterings of one estimate: of the whole, and of halves.
+constexpr std::size_t kFilterings = 3;
+
+// Corners of a picture by which the time of filtering it is measured.
+
+/// Pixels, the shorter of two corners.
+constexpr int kLeastSide = 16;
+/// The longer one is a square of such a part of the picture's longer side.
+constexpr int kCorner = 8;
 
 /// Several steps of a work, which take as long as one another, as one.
 class Stages {
@@ -37,11 +50,15 @@ Replicates finite_replicates(const Replicates& replicates) {
   return result;
 }
 
-/// The mean of every other replicate, from that `first` one on.
-std::vector<float> half_of(const Replicates& replicates, std::size_t first) {
-  Replicates half;
-  for (std::size_t i = first; i < replicates.size(); i += 2) half.push_back(replicates[i]);
-  return replicate_mean(half);
+/// The means of every other replicate, as `BiasedEstimate` has parts.
+Replicates halves_of(const Replicates& replicates) {
+  Replicates halves;
+  for (const std::size_t first : {0U, 1U}) {
+    Replicates half;
+    for (std::size_t i = first; i < replicates.size(); i += 2) half.push_back(replicates[i]);
+    halves.push_back(replicate_mean(half));
+  }
+  return halves;
 }
 
 const std::vector<float>& for_filters(const Picture& picture) {
@@ -49,6 +66,57 @@ const std::vector<float>& for_filters(const Picture& picture) {
 }
 
 Vec2i size_of(const Picture& picture) { return picture.crop.size() + Vec2i(1, 1); }
+
+double pixels_of(Vec2i size) { return static_cast<double>(size.x) * static_cast<double>(size.y); }
+
+/// The first pixels of the first rows.
+std::vector<float> corner_of(const std::vector<float>& pixels, Vec2i size, Vec2i corner) {
+  std::vector<float> result;
+  for (int y = 0; y < corner.y; ++y) {
+    const auto row = pixels.begin() + std::ptrdiff_t{3} * y * size.x;
+    result.insert(result.end(), row, row + std::ptrdiff_t{3} * corner.x);
+  }
+  return result;
+}
+
+/// Filters the picture and its halves, and mixes. Empty if `stages` ended it.
+std::optional<MixedEstimate> filter_and_mix(const Denoiser& denoiser, const Features& features,
+                                            const Picture& picture,
+                                            const PictureEstimates& estimates, Stages& stages) {
+  const Vec2i size = size_of(picture);
+  const Replicates replicates = finite_replicates(estimates.replicates);
+  std::vector<BiasedEstimate> all;
+  // False if it was ended.
+  const auto add_estimate = [&](const std::vector<float>& pixels, const Replicates& parts) {
+    const Replicates halves = halves_of(parts);
+    auto whole = denoiser.filter({.size = size, .colour = pixels, .halves = {halves[0], halves[1]}},
+                                 features, stages.next());
+    if (!whole) return false;
+    BiasedEstimate& estimate = all.emplace_back();
+    estimate.pixels = *std::move(whole);
+    for (const std::vector<float>& half : halves) {
+      auto result =
+          denoiser.filter({.size = size, .colour = half, .roughly = true}, features, stages.next());
+      if (!result) return false;
+      estimate.parts.push_back(*std::move(result));
+    }
+    return true;
+  };
+  const std::vector<float> unfiltered = finite_values(picture.layers.front().pixels);
+  const bool is_first_added =
+      estimates.boxes.empty()
+          ? add_estimate(unfiltered, replicates)
+          : add_estimate(finite_values(for_filters(picture)), finite_replicates(estimates.boxes));
+  if (!is_first_added) return std::nullopt;
+  // Independent samples alone may not have found yet what chains have.
+  if (!estimates.others.empty()) {
+    Replicates others = finite_replicates(estimates.others);
+    if (!add_estimate(replicate_mean(others), others)) return std::nullopt;
+    all.back().found = std::move(others);
+  }
+  all.push_back({without_fireflies(unfiltered, replicates, all.front().pixels), replicates});
+  return mix_estimates(size, all, replicates);
+}
 
 }  // namespace
 
@@ -68,8 +136,8 @@ PictureFilter::PictureFilter(std::shared_ptr<const Denoiser> denoiser, Look look
     : denoiser_(std::move(denoiser)), look_(std::move(look)) {}
 
 std::uint64_t PictureFilter::memory_bytes(const Denoiser& denoiser, std::uint64_t pixels) {
-  // Memory for two estimates: four replicates each, raw and filtered; means, features and the
-  // mixture.
+  // Memory for two estimates: four replicates each, two halves raw and filtered; means, features
+  // and the mixture.
   constexpr std::uint64_t kPictures = 28;
   return denoiser.memory_bytes(pixels) + pixels * 3 * sizeof(float) * kPictures;
 }
@@ -113,46 +181,52 @@ bool PictureFilter::add_layers(Picture& picture, const Denoiser::Progress& progr
 bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& estimates,
                                     const Denoiser::Progress& progress) {
   if (!mixes(estimates.replicates.size())) return add_layers(picture, progress);
-  const Vec2i size = size_of(picture);
-  const Replicates replicates = finite_replicates(estimates.replicates);
-  const Replicates others = finite_replicates(estimates.others);
-  const Replicates boxes = finite_replicates(estimates.boxes);
-  Stages stages(1 + (others.empty() ? 1 : 2) * (1 + replicates.size()), progress);
-  if (!know_features(size, stages.next())) return false;
-  const auto filtered = [&](const NoisyPicture& noisy) {
-    return denoiser_->filter(noisy, prepared_, stages.next());
-  };
-  std::vector<BiasedEstimate> all;
-  // False if `progress` ended it.
-  const auto add_estimate = [&](const std::vector<float>& pixels, const Replicates& parts) {
-    const std::vector<float> first = half_of(parts, 0);
-    const std::vector<float> second = half_of(parts, 1);
-    auto whole = filtered({.size = size, .colour = pixels, .halves = {first, second}});
-    if (!whole) return false;
-    BiasedEstimate& estimate = all.emplace_back();
-    estimate.pixels = *std::move(whole);
-    for (const std::vector<float>& part : parts) {
-      auto result = filtered({.size = size, .colour = part, .roughly = true});
-      if (!result) return false;
-      estimate.replicates.push_back(*std::move(result));
-    }
-    return true;
-  };
-  const std::vector<float> unfiltered = finite_values(picture.layers.front().pixels);
-  const bool is_first_added = boxes.empty()
-                                  ? add_estimate(unfiltered, replicates)
-                                  : add_estimate(finite_values(for_filters(picture)), boxes);
-  if (!is_first_added) return false;
-  // Independent samples alone may not have found yet what chains have.
-  if (!others.empty()) {
-    if (!add_estimate(replicate_mean(others), others)) return false;
-    all.back().found = others;
-  }
-  all.push_back({without_fireflies(unfiltered, replicates, all.front().pixels), replicates});
-  MixedEstimate mixed = mix_estimates(size, all, replicates);
-  add(picture, std::move(mixed.pixels));
-  picture.layers.push_back({kDenoisedError, 3, std::move(mixed.error)});
+  Stages stages(1 + (estimates.others.empty() ? 1 : 2) * kFilterings, progress);
+  if (!know_features(size_of(picture), stages.next())) return false;
+  auto mixed = filter_and_mix(*denoiser_, prepared_, picture, estimates, stages);
+  if (!mixed) return false;
+  add(picture, std::move(mixed->pixels));
+  picture.layers.push_back({kDenoisedError, 3, std::move(mixed->error)});
   return true;
+}
+
+double PictureFilter::expected_seconds(Vec2i size, bool has_others) {
+  const Features known = [&] {
+    const std::lock_guard lock(mutex_);
+    return prepared_;
+  }();
+  const auto seconds_of = [&](Vec2i corner) {
+    Picture picture;
+    picture.crop = Box2i({0, 0}, corner - Vec2i(1, 1));
+    std::vector<float> chequered(3 * static_cast<std::size_t>(pixels_of(corner)));
+    for (std::size_t i = 0; i < chequered.size(); ++i) chequered[i] = i % 2 == 0 ? 1.F : 0.5F;
+    const Replicates replicates(kReplicates, chequered);
+    picture.layers.push_back({"", 3, std::move(chequered)});
+    Features features;
+    if (!known.empty()) {
+      features = {corner_of(known.albedo, size, corner), corner_of(known.normal, size, corner)};
+    }
+    const Stopwatch clock;
+    const Denoiser::Progress goes_on;
+    Stages stages(1, goes_on);
+    filter_and_mix(*denoiser_, features, picture,
+                   {replicates, has_others ? replicates : Replicates()}, stages);
+    return clock.seconds();
+  };
+  const auto corner_of_side = [&](int side) {
+    return Vec2i(std::min(side, size.x), std::min(side, size.y));
+  };
+  // Time that does not grow with the picture, once all that is loaded once has been.
+  const Vec2i least = corner_of_side(kLeastSide);
+  seconds_of(least);
+  const double seconds = seconds_of(least);
+  // Networks fill up the sides of pictures to multiples of the least.
+  const int side = std::max(2, std::max(size.x, size.y) / (kCorner * kLeastSide) + 1) * kLeastSide;
+  const Vec2i corner = corner_of_side(side);
+  const double more_pixels = pixels_of(corner) - pixels_of(least);
+  if (more_pixels <= 0.0) return seconds;
+  const double more_seconds = std::max(0.0, seconds_of(corner) - seconds);
+  return seconds + more_seconds / more_pixels * (pixels_of(size) - pixels_of(least));
 }
 
 }  // namespace ajar

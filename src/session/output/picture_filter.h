@@ -46,12 +46,16 @@ class PictureFilter {
   /// one that is still being rendered: what the filter makes of it. False, and no layers, if
   /// `progress` ended it. Filtered is what the picture has `for_filters`.
   bool add_layers(Picture& picture, const Denoiser::Progress& progress = {});
-  /// For a finished picture, at three to six times the time: the unfiltered picture and the
-  /// filtered pictures of its estimates are mixed by the errors of their replicates
-  /// (`mix_estimates`), and "denoised-error" is the estimated error of the result. With too few
-  /// replicates (`mixes`) as above.
+  /// For a finished picture, at up to three times the time: the unfiltered picture and the filtered
+  /// pictures of its estimates are mixed by the errors of their halves (`mix_estimates`), and
+  /// "denoised-error" is the estimated error of the result. With too few replicates (`mixes`) as
+  /// above.
   bool add_best_layers(Picture& picture, const PictureEstimates& estimates,
                        const Denoiser::Progress& progress = {});
+  /// Time that `add_best_layers` will take for a picture of that size once its features are known,
+  /// wall clock, seconds: measured, by filtering a small corner of one. `has_others`: as for a
+  /// picture with another estimate.
+  double expected_seconds(Vec2i size, bool has_others);
 
  private:
   void add(Picture& picture, std::vector<float> pixels);
