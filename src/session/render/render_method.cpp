@@ -1,5 +1,6 @@
 #include "session/render/render_method.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 #include <vector>
@@ -139,11 +140,20 @@ void make_filter(RenderState& state) {
     return known.empty() ? trace_features(scene, settings, progress, roughly) : known;
   };
   state.filter = std::make_shared<PictureFilter>(std::move(denoiser), look);
-  // A merge of checkpoints has no scene to look at.
-  if (state.request.spec.checkpoint.empty() || !state.has_begun) return;
+  // A merge of checkpoints has no scene to look at, and a time limit is kept if what is still to be
+  // done then is known.
+  const bool is_timed = state.plan->setup.budget.seconds.has_value();
+  if ((state.request.spec.checkpoint.empty() && !is_timed) || !state.has_begun) return;
   const int before = state.interrupts;
-  state.filter->know_features(settings.crop.size() + Vec2i(1, 1),
-                              [&](double /*done*/) { return state.interrupts == before; });
+  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
+  const bool knows = state.filter->know_features(
+      size, [&](double /*done*/) { return state.interrupts == before; });
+  if (!knows || !is_timed || !PictureFilter::mixes(settings.replicates)) return;
+  const std::vector<LayerSpec> layers = state.integrator->layers();
+  const bool has_others = std::any_of(layers.begin(), layers.end(), [](const LayerSpec& layer) {
+    return !layer.instead_of.empty();
+  });
+  state.filter_seconds = state.filter->expected_seconds(size, has_others);
 }
 
 void make_film(RenderState& state) {

@@ -60,7 +60,10 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
   RenderJobOptions options;
   options.budget = state.plan->setup.budget;
   // A time limit covers everything after loading.
-  if (options.budget.seconds) *options.budget.seconds -= state.other_seconds;
+  if (options.budget.seconds) {
+    options.budget.seconds =
+        seconds_of_passes(*options.budget.seconds, state.other_seconds, state.filter_seconds);
+  }
   options.threads = state.request.spec.threads;
   options.estimate_error = [&integrator = *state.integrator](const Film& film,
                                                              std::uint64_t samples) {

@@ -39,6 +39,7 @@ struct RenderState {
   std::uint64_t preparation_rounds = 0;
   std::optional<PreparationCut> unprepared{};  ///< why the preparation was cut short, if it was
   double other_seconds = 0.0;       ///< seconds of building and preparing, all runs together
+  double filter_seconds = 0.0;      ///< expected time of filtering the finished picture
   std::uint64_t passes_before = 0;  ///< passes of earlier runs
 
   /// Tells it, and keeps it for the statistics.
