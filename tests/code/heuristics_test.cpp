@@ -82,7 +82,6 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"post/denoise/local_regression.cpp",
        {"lanes of a processor, sizes of arrays, rounding",
         {"kWidth", "kHeight", "kMostSlopes", "kLevels", "kLeastVariance", "kSide", "kScale"}}},
-      {"post/denoise/mix_estimates.cpp", {"replicates in a product", {"kParts"}}},
       {"post/denoise/oidn_denoiser.cpp",
        {"default of the library, and what it takes",
         {"kMostMemory", "kBytesPerPixel", "kBrightest", "kDimmest", "kMost"}}},

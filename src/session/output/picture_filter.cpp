@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "image/relative_error.h"
+#include "integrator/montecarlo/scene_features.h"
 #include "post/denoise/mix_estimates.h"
 #include "session/job/resources.h"
 
@@ -69,16 +70,6 @@ Vec2i size_of(const Picture& picture) { return picture.crop.size() + Vec2i(1, 1)
 
 double pixels_of(Vec2i size) { return static_cast<double>(size.x) * static_cast<double>(size.y); }
 
-/// The first pixels of the first rows.
-std::vector<float> corner_of(const std::vector<float>& pixels, Vec2i size, Vec2i corner) {
-  std::vector<float> result;
-  for (int y = 0; y < corner.y; ++y) {
-    const auto row = pixels.begin() + std::ptrdiff_t{3} * y * size.x;
-    result.insert(result.end(), row, row + std::ptrdiff_t{3} * corner.x);
-  }
-  return result;
-}
-
 /// Filters the picture and its halves, and mixes. Empty if `stages` ended it.
 std::optional<MixedEstimate> filter_and_mix(const Denoiser& denoiser, const Features& features,
                                             const Picture& picture,
@@ -142,27 +133,31 @@ std::uint64_t PictureFilter::memory_bytes(const Denoiser& denoiser, std::uint64_
   return denoiser.memory_bytes(pixels) + pixels * 3 * sizeof(float) * kPictures;
 }
 
-bool PictureFilter::know_features(Vec2i size, const Denoiser::Progress& progress) {
+std::shared_ptr<const PictureFilter::Known> PictureFilter::know(
+    Vec2i size, std::uint32_t rays, const Denoiser::Progress& progress) {
   const std::lock_guard lock(mutex_);
-  if (features_) return true;
-  std::optional<Features> seen = look_(progress);
-  if (!seen) return false;
-  prepared_ = denoiser_->prepare(size, *seen);
-  features_ = std::move(seen);
-  return true;
+  if (known_ && known_->rays == rays) return known_;
+  std::optional<Features> seen = look_(rays, progress);
+  if (!seen) return nullptr;
+  Features prepared = denoiser_->prepare(size, *seen);
+  known_ = std::make_shared<const Known>(Known{rays, *std::move(seen), std::move(prepared)});
+  return known_;
+}
+
+bool PictureFilter::know_features(Vec2i size, const Denoiser::Progress& progress) {
+  return know(size, feature_rays(0), progress) != nullptr;
 }
 
 Features PictureFilter::features() {
   const std::lock_guard lock(mutex_);
-  return features_.value_or(Features());
+  return known_ ? known_->features : Features();
 }
 
-void PictureFilter::add(Picture& picture, std::vector<float> pixels) {
-  const Features known = features();
+void PictureFilter::add(Picture& picture, const Known& known, std::vector<float> pixels) const {
   picture.layers.push_back({kDenoisedLayer, 3, std::move(pixels)});
-  if (!known.empty()) {
-    picture.layers.push_back({kFeatureAlbedo, 3, known.albedo});
-    picture.layers.push_back({kFeatureNormal, 3, known.normal});
+  if (!known.features.empty()) {
+    picture.layers.push_back({kFeatureAlbedo, 3, known.features.albedo});
+    picture.layers.push_back({kFeatureNormal, 3, known.features.normal});
   }
   picture.metadata["ajar:denoiser"] = denoiser_->name();
 }
@@ -170,11 +165,13 @@ void PictureFilter::add(Picture& picture, std::vector<float> pixels) {
 bool PictureFilter::add_layers(Picture& picture, const Denoiser::Progress& progress) {
   const Vec2i size = size_of(picture);
   Stages stages(2, progress);
-  if (!know_features(size, stages.next())) return false;
-  auto pixels =
-      denoiser_->filter({.size = size, .colour = for_filters(picture)}, prepared_, stages.next());
+  // Features of a passing picture need not be the best.
+  const auto known = know(size, feature_rays(0), stages.next());
+  if (!known) return false;
+  auto pixels = denoiser_->filter({.size = size, .colour = for_filters(picture)}, known->prepared,
+                                  stages.next());
   if (!pixels) return false;
-  add(picture, *std::move(pixels));
+  add(picture, *known, *std::move(pixels));
   return true;
 }
 
@@ -182,31 +179,25 @@ bool PictureFilter::add_best_layers(Picture& picture, const PictureEstimates& es
                                     const Denoiser::Progress& progress) {
   if (!mixes(estimates.replicates.size())) return add_layers(picture, progress);
   Stages stages(1 + (estimates.others.empty() ? 1 : 2) * kFilterings, progress);
-  if (!know_features(size_of(picture), stages.next())) return false;
-  auto mixed = filter_and_mix(*denoiser_, prepared_, picture, estimates, stages);
+  const auto known = know(size_of(picture), feature_rays(estimates.samples), stages.next());
+  if (!known) return false;
+  auto mixed = filter_and_mix(*denoiser_, known->prepared, picture, estimates, stages);
   if (!mixed) return false;
-  add(picture, std::move(mixed->pixels));
+  add(picture, *known, std::move(mixed->pixels));
   picture.layers.push_back({kDenoisedError, 3, std::move(mixed->error)});
   return true;
 }
 
-double PictureFilter::expected_seconds(Vec2i size, bool has_others) {
-  const Features known = [&] {
-    const std::lock_guard lock(mutex_);
-    return prepared_;
-  }();
+double PictureFilter::expected_seconds(Vec2i size, bool has_others) const {
   const auto seconds_of = [&](Vec2i corner) {
     Picture picture;
     picture.crop = Box2i({0, 0}, corner - Vec2i(1, 1));
     std::vector<float> chequered(3 * static_cast<std::size_t>(pixels_of(corner)));
     for (std::size_t i = 0; i < chequered.size(); ++i) chequered[i] = i % 2 == 0 ? 1.F : 0.5F;
     const Replicates replicates(kReplicates, chequered);
-    picture.layers.push_back({"", 3, std::move(chequered)});
-    Features features;
-    if (!known.empty()) {
-      features = {corner_of(known.albedo, size, corner), corner_of(known.normal, size, corner)};
-    }
+    picture.layers.push_back({"", 3, chequered});
     const Stopwatch clock;
+    const Features features = denoiser_->prepare(corner, {chequered, chequered});
     const Denoiser::Progress goes_on;
     Stages stages(1, goes_on);
     filter_and_mix(*denoiser_, features, picture,

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "integrator/montecarlo/scene_features.h"
 #include "post/display.h"
 
 namespace ajar {
@@ -59,7 +60,9 @@ Picture picture_of(std::vector<float> pixels) {
   return picture;
 }
 
-std::optional<Features> nothing(const Denoiser::Progress& /*progress*/) { return Features(); }
+std::optional<Features> nothing(std::uint32_t /*rays*/, const Denoiser::Progress& /*progress*/) {
+  return Features();
+}
 
 const std::vector<float>& layer_of(const Picture& picture, const std::string& name) {
   return std::find_if(picture.layers.begin(), picture.layers.end(),
@@ -70,7 +73,7 @@ const std::vector<float>& layer_of(const Picture& picture, const std::string& na
 TEST(PictureFilter, AddsLayersAndLooksAtTheSceneOnce) {
   const auto evener = std::make_shared<Evener>();
   int looks = 0;
-  PictureFilter filter(evener, [&](const Denoiser::Progress&) {
+  PictureFilter filter(evener, [&](std::uint32_t /*rays*/, const Denoiser::Progress&) {
     ++looks;
     return Features{even(0.25F), even(0.5F)};
   });
@@ -89,6 +92,26 @@ TEST(PictureFilter, AddsLayersAndLooksAtTheSceneOnce) {
   EXPECT_EQ(evener->prepared, 1);
   EXPECT_EQ(evener->albedo, even(0.25F));
   EXPECT_EQ(filter.features().albedo, even(0.25F));
+}
+
+/// Finished pictures hang on their samples alone, whatever was looked at before.
+TEST(PictureFilter, KnowsFeaturesByTheRaysOfAFinishedPicture) {
+  std::vector<std::uint32_t> looks;
+  const auto evener = std::make_shared<Evener>();
+  PictureFilter filter(evener, [&](std::uint32_t rays, const Denoiser::Progress&) {
+    looks.push_back(rays);
+    const std::vector<float> shown = even(static_cast<float>(rays));
+    return Features{shown, shown};
+  });
+  PictureEstimates estimates{Replicates(4, even(1.F)), {}};
+  for (const std::uint64_t samples : {320U, 327U, 4U, 1000U}) {
+    estimates.samples = samples;
+    Picture picture = picture_of(even(1.F));
+    ASSERT_TRUE(filter.add_best_layers(picture, estimates));
+    EXPECT_EQ(evener->albedo, even(static_cast<float>(feature_rays(samples))));
+    EXPECT_EQ(layer_of(picture, kFeatureNormal), evener->albedo);
+  }
+  EXPECT_EQ(looks, (std::vector<std::uint32_t>{40, 16, 64}));
 }
 
 TEST(PictureFilter, FiltersTheUnfilteredPictureAndBothEstimates) {
@@ -121,7 +144,7 @@ TEST(PictureFilter, FiltersBoxesAndMixesThemWithThePicture) {
   EXPECT_EQ(layer_of(picture, kDenoisedLayer), even(1.F));
 }
 
-/// As `mix_estimates` wants its parts.
+/// Parts as `mix_estimates` wants them.
 TEST(PictureFilter, FiltersTheHalvesThatAreEveryOtherReplicate) {
   const auto evener = std::make_shared<Evener>();
   PictureFilter filter(evener, nothing);
@@ -133,18 +156,16 @@ TEST(PictureFilter, FiltersTheHalvesThatAreEveryOtherReplicate) {
 TEST(PictureFilter, ExpectsItsTimeFromCornersOfThePicture) {
   for (const bool has_others : {false, true}) {
     const auto evener = std::make_shared<Evener>();
-    PictureFilter filter(evener, [](const Denoiser::Progress&) {
-      return Features{std::vector<float>(std::size_t{3} * 640 * 480, 0.25F),
-                      std::vector<float>(std::size_t{3} * 640 * 480, 0.5F)};
-    });
-    ASSERT_TRUE(filter.know_features({640, 480}, {}));
+    const PictureFilter filter(evener, nothing);
     EXPECT_GE(filter.expected_seconds({640, 480}, has_others), 0.0);
     EXPECT_EQ(evener->rough_runs, 2 * evener->fine_runs);
     EXPECT_EQ(evener->fine_runs, has_others ? 6 : 3);
     EXPECT_EQ(evener->largest, 96 * 96);
     EXPECT_EQ(evener->albedo.size(), std::size_t{3} * 96 * 96);
+    EXPECT_EQ(evener->prepared, 3);
+    EXPECT_TRUE(PictureFilter(evener, nothing).features().empty());
   }
-  // Smaller than any corner, and without features.
+  // Smaller than any corner.
   const auto evener = std::make_shared<Evener>();
   EXPECT_GE(PictureFilter(evener, nothing).expected_seconds({3, 2}, false), 0.0);
   EXPECT_EQ(evener->largest, 6);
@@ -225,7 +246,7 @@ TEST(PictureFilter, LeavesAPictureAsItWasWhereverItIsStopped) {
   }
   // While it looks at the scene, which it does again then.
   int looks = 0;
-  PictureFilter filter(std::make_shared<Evener>(), [&](const Denoiser::Progress&) {
+  PictureFilter filter(std::make_shared<Evener>(), [&](std::uint32_t, const Denoiser::Progress&) {
     return ++looks == 1 ? std::nullopt : std::optional(Features());
   });
   Picture picture = picture_of(chequered());
