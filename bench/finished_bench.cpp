@@ -54,12 +54,14 @@ struct ReadyFilter {
 };
 
 std::vector<ReadyFilter> make_filters(const MeasuredScene& scene, const Arguments& arguments) {
-  const Features features = *trace_features(*scene.scene, scene.settings);
+  const auto tracer = std::make_shared<FeatureTracer>(*scene.scene, scene.settings);
   std::vector<ReadyFilter> filters;
   for (const std::string& name : arguments.filters) {
     filters.push_back({name, std::make_unique<PictureFilter>(
                                  find_denoiser(name),
-                                 [features](const Denoiser::Progress&) { return features; })});
+                                 [tracer](std::uint32_t rays, const Denoiser::Progress& progress) {
+                                   return tracer->look(rays, progress);
+                                 })});
   }
   return filters;
 }

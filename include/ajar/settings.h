@@ -16,9 +16,9 @@ struct Settings {
   std::map<std::string, std::string> parameters;  ///< parameters of the integrator
   // The render ends at whichever comes first; with none, after 64 samples per pixel.
   std::optional<std::uint64_t> samples_per_pixel;
-  std::optional<double> seconds;                 ///< wall clock, of all but loading
-  std::optional<double> target_error;            ///< relative error of the picture, as estimated
-  bool denoised_target = false;                  ///< ... of the denoised picture
+  std::optional<double> seconds;       ///< wall clock, up to the finished picture but for loading
+  std::optional<double> target_error;  ///< relative error of the picture, as estimated
+  bool denoised_target = false;        ///< ... of the denoised picture
   std::optional<std::array<int, 2>> resolution;  ///< width and height, pixels
   std::optional<double> scale;                   ///< factor of the scene's size, instead
   // Edges of the paths: 1 is light seen directly, 2 is direct lighting.

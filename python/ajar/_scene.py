@@ -385,7 +385,8 @@ class Scene:
     def render(self, *, progress=None, **settings):
         """Renders to the end, and returns the picture.
 
-        time (seconds), spp (samples per pixel), target_error: whichever comes first; without any, 64 samples per pixel.
+        time (seconds until the finished picture), spp (samples per pixel), target_error: whichever comes first; without any,
+        64 samples per pixel.
         integrator: one of `ajar.list_integrators()`; all settings that are not named here are its parameters.
         seed, resolution=(width, height), scale, depth=(least, most) or most, crop=(x0, y0, x1, y1), filter="NAME:RADIUS",
         layers=["normal", …], denoise=True, False, "oidn" or "builtin", threads.

@@ -28,6 +28,11 @@ std::string wall(float z) {
          " 10 -10 " + at + " 10 10 " + at + " -10 10 " + at + "]\n";
 }
 
+Features features_of(const Scene& scene, const RenderSettings& settings,
+                     std::uint32_t rays = feature_rays(0)) {
+  return *FeatureTracer(scene, settings).look(rays);
+}
+
 struct Look {
   Vec3 albedo;
   Vec3 normal;
@@ -35,7 +40,7 @@ struct Look {
 /// Means over the picture.
 Look look_at(const std::string& world) {
   const auto scene = scene_of(world);
-  const Features features = *trace_features(*scene, settings_for(*scene));
+  const Features features = features_of(*scene, settings_for(*scene));
   Look mean{Vec3(0.F), Vec3(0.F)};
   const std::size_t pixels = features.albedo.size() / 3;
   EXPECT_EQ(pixels, 96U);
@@ -97,7 +102,7 @@ TEST(SceneFeatures, ShowGlintsOfAFewRays) {
 
 TEST(SceneFeatures, AreBlackWherePathsEndAmongMirrors) {
   const auto scene = scene_of("Material \"mirror\" \"rgb Kr\" [1 1 1]\n" + wall(5.F) + wall(-3.F));
-  const Features features = *trace_features(*scene, settings_for(*scene));
+  const Features features = features_of(*scene, settings_for(*scene));
   EXPECT_EQ(*std::max_element(features.albedo.begin(), features.albedo.end()), 0.F);
 }
 
@@ -111,9 +116,9 @@ TEST(SceneFeatures, OfACropAreThoseOfTheWhole) {
   const auto scene = scene_of("Material \"glass\" Translate 0 0 4 Shape \"sphere\"\n" +
                               std::string(kRed) + wall(5.F));
   RenderSettings settings = settings_for(*scene);
-  const Features whole = *trace_features(*scene, settings);
+  const Features whole = features_of(*scene, settings);
   settings.crop = Box2i({3, 2}, {9, 6});
-  const Features part = *trace_features(*scene, settings);
+  const Features part = features_of(*scene, settings);
   ASSERT_EQ(part.albedo.size(), std::size_t{3} * 7 * 5);
   for (int y = 0; y < 5; ++y) {
     for (int i = 0; i < 3 * 7; ++i) {
@@ -130,7 +135,7 @@ TEST(SceneFeatures, AreOfOneRayPerPixelInPreviews) {
   const auto scene = scene_of("Material \"glass\" Translate 0 0 4 Shape \"sphere\"\n" +
                               std::string(kRed) + wall(5.F));
   const RenderSettings settings = settings_for(*scene);
-  const Features rough = *trace_features(*scene, settings, {}, true);
+  const Features rough = features_of(*scene, settings, 1);
   int whole = 0;
   for (std::size_t i = 0; i < rough.normal.size(); i += 3) {
     const Vec3 normal(rough.normal[i], rough.normal[i + 1], rough.normal[i + 2]);
@@ -140,15 +145,37 @@ TEST(SceneFeatures, AreOfOneRayPerPixelInPreviews) {
   EXPECT_EQ(whole, static_cast<int>(rough.normal.size() / 3));
 }
 
+/// Passes of any length, on any machine, leave the same features.
+TEST(SceneFeatures, HangOnTheNumberOfRaysAlone) {
+  const auto scene = scene_of("Material \"glass\" Translate 0 0 4 Shape \"sphere\"\n" +
+                              std::string(kRed) + wall(5.F));
+  const RenderSettings settings = settings_for(*scene);
+  const Features whole = features_of(*scene, settings, 24);
+  FeatureTracer tracer(*scene, settings);
+  // Ended somewhere, and gone on with.
+  EXPECT_FALSE(tracer.trace(3, [](double) { return false; }));
+  for (const std::uint32_t rays : {2U, 7U, 5U, 24U}) EXPECT_TRUE(tracer.trace(rays));
+  EXPECT_EQ(tracer.features().albedo, whole.albedo);
+  EXPECT_EQ(tracer.features().normal, whole.normal);
+  EXPECT_NE(features_of(*scene, settings, 23).normal, whole.normal);
+}
+
+TEST(SceneFeatures, HaveARayForEveryEighthSampleWithinBounds) {
+  EXPECT_EQ(feature_rays(0), 16U);
+  EXPECT_EQ(feature_rays(327), 40U);
+  EXPECT_EQ(feature_rays(1'000'000'000'000), 64U);
+}
+
 TEST(SceneFeatures, StopOnRequest) {
   const auto scene = scene_of(kRed + wall(5.F));
   double last = 0.0;
-  EXPECT_TRUE(trace_features(*scene, settings_for(*scene), [&](double done) {
+  FeatureTracer tracer(*scene, settings_for(*scene));
+  EXPECT_TRUE(tracer.trace(1, [&](double done) {
     last = std::max(last, done);
     return true;
   }));
   EXPECT_EQ(last, 1.0);
-  EXPECT_FALSE(trace_features(*scene, settings_for(*scene), [](double) { return false; }));
+  EXPECT_FALSE(tracer.look(2, [](double) { return false; }));
 }
 
 }  // namespace

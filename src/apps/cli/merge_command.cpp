@@ -83,8 +83,9 @@ int merge(const MergeArguments& a) {
   statistics.warnings = warnings.messages();
   statistics.warning_count = warnings.count();
   if (denoiser) {
-    PictureFilter filter(std::move(denoiser),
-                         [&merged](const Denoiser::Progress&) { return merged.features; });
+    PictureFilter filter(
+        std::move(denoiser),
+        [&merged](std::uint32_t /*rays*/, const Denoiser::Progress&) { return merged.features; });
     const PictureEstimates estimates =
         estimates_of(film, merged.scales, merged.job.samples_per_pixel, merged.render.film_scale);
     const bool is_filtered = denoise_with_progress([&](const Denoiser::Progress& progress) {

@@ -26,11 +26,6 @@ struct Sight {
   Vec3 normal{0.F, 0.F, 0.F};
 };
 
-Spectrum at_most_one(const Spectrum& value) {
-  const auto cut = [&](int lane) { return std::clamp(value[lane], 0.F, 1.F); };
-  return {cut(0), cut(1), cut(2)};
-}
-
 Spectrum sky(const Scene& scene, const Vec3& direction) {
   Spectrum radiance(0.F);
   for (const Light* light : scene.infinite_lights()) {
@@ -46,7 +41,7 @@ Spectrum look_of(const PathVertex& vertex, const Hit& hit) {
   return vertex.bsdf.albedo(vertex.wo) + emitted;
 }
 
-Sight look(const Scene& scene, SampleSource& source, const Vec2& raster, int max_depth) {
+Sight look_at(const Scene& scene, SampleSource& source, const Vec2& raster, int max_depth) {
   const Camera& camera = scene.camera();
   const std::optional<EmissionSample> emission = camera_ray(camera, source, raster);
   if (!emission) return {};
@@ -82,47 +77,71 @@ Sight look(const Scene& scene, SampleSource& source, const Vec2& raster, int max
 
 }  // namespace
 
-std::optional<Features> trace_features(const Scene& scene, const RenderSettings& settings,
-                                       const std::function<bool(double done)>& progress,
-                                       bool roughly) {
-  const std::uint32_t samples = roughly ? 1 : MonteCarloHeuristics::kFeatureSamples;
-  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
-  const std::size_t values =
-      3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  Features features{std::vector<float>(values), std::vector<float>(values)};
-  const std::uint64_t seed = hash_numbers(settings.seed, RandomUse::Features);
-  std::atomic<int> rows = 0;
-  std::atomic<bool> ended = false;
-  parallel_for(size.y, [&](int y) {
-    if (ended) return;
-    for (int x = 0; x < size.x; ++x) {
-      const Vec2i pixel = settings.crop.min + Vec2i(x, y);
-      Spectrum albedo(0.F);
-      Vec3 normal(0.F);
-      for (std::uint32_t i = 0; i < samples; ++i) {
-        const std::uint64_t own = hash_numbers(seed, pixel.x, pixel.y);
-        SobolSource source({own, i, own, i});
-        const Vec2 offset = source.get_pair({Stream::Camera, 0, kEmissionDirection});
-        const Sight sight = look(scene, source, Vec2(pixel) + offset, settings.max_depth);
-        if (sight.albedo.is_finite()) albedo += sight.albedo;
-        normal += sight.normal;
-      }
-      // After the mean: glints of a few rays are seen in the picture, too.
-      albedo = at_most_one(albedo / static_cast<float>(samples));
-      const std::size_t first =
-          3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-               static_cast<std::size_t>(x));
+std::uint32_t feature_rays(std::uint64_t samples) {
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(
+      samples / MonteCarloHeuristics::kSamplesForFeatureRay,
+      MonteCarloHeuristics::kFewestFeatureRays, MonteCarloHeuristics::kMostFeatureRays));
+}
+
+FeatureTracer::FeatureTracer(const Scene& scene, RenderSettings settings)
+    : scene_(scene),
+      settings_(std::move(settings)),
+      size_(settings_.crop.size() + Vec2i(1, 1)),
+      rays_(static_cast<std::size_t>(size_.y)) {
+  const std::size_t values = 3 * rays_.size() * static_cast<std::size_t>(size_.x);
+  sums_ = {std::vector<float>(values), std::vector<float>(values)};
+}
+
+void FeatureTracer::trace_row(int y, std::uint32_t rays) {
+  const std::uint64_t seed = hash_numbers(settings_.seed, RandomUse::Features);
+  std::uint32_t& done = rays_[static_cast<std::size_t>(y)];
+  std::size_t index = 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x);
+  for (int x = 0; x < size_.x; ++x, index += 3) {
+    const Vec2i pixel = settings_.crop.min + Vec2i(x, y);
+    const std::uint64_t own = hash_numbers(seed, pixel.x, pixel.y);
+    for (std::uint32_t i = done; i < rays; ++i) {
+      SobolSource source({own, i, own, i});
+      const Vec2 offset = source.get_pair({Stream::Camera, 0, kEmissionDirection});
+      const Sight sight = look_at(scene_, source, Vec2(pixel) + offset, settings_.max_depth);
       for (int c = 0; c < 3; ++c) {
-        const std::size_t index = first + static_cast<std::size_t>(c);
-        features.albedo[index] = albedo[c];
-        features.normal[index] = normal[c] / static_cast<float>(samples);
+        const std::size_t value = index + static_cast<std::size_t>(c);
+        if (sight.albedo.is_finite()) sums_.albedo[value] += sight.albedo[c];
+        sums_.normal[value] += sight.normal[c];
       }
     }
-    const double done = static_cast<double>(++rows) / size.y;
+  }
+  done = std::max(done, rays);
+}
+
+bool FeatureTracer::trace(std::uint32_t rays, const Progress& progress) {
+  const std::lock_guard lock(mutex_);
+  std::atomic<int> rows = 0;
+  std::atomic<bool> ended = false;
+  parallel_for(size_.y, [&](int y) {
+    if (ended) return;
+    trace_row(y, rays);
+    const double done = static_cast<double>(++rows) / size_.y;
     if (progress && !progress(done)) ended = true;
   });
-  if (ended) return std::nullopt;
+  return !ended;
+}
+
+Features FeatureTracer::features() const {
+  const std::lock_guard lock(mutex_);
+  Features features = sums_;
+  for (std::size_t value = 0; value < features.albedo.size(); ++value) {
+    const std::size_t row = value / (3 * static_cast<std::size_t>(size_.x));
+    const auto count = static_cast<float>(std::max(1U, rays_[row]));
+    // After the mean: glints of a few rays are seen in the picture, too.
+    features.albedo[value] = std::clamp(features.albedo[value] / count, 0.F, 1.F);
+    features.normal[value] /= count;
+  }
   return features;
+}
+
+std::optional<Features> FeatureTracer::look(std::uint32_t rays, const Progress& progress) {
+  if (!trace(rays, progress)) return std::nullopt;
+  return features();
 }
 
 }  // namespace ajar

@@ -1,7 +1,6 @@
 #include "post/denoise/mix_estimates.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -15,21 +14,20 @@ namespace ajar {
 
 namespace {
 
-constexpr std::size_t kParts = 4;
-
 void check_sizes(Vec2i size, const std::vector<BiasedEstimate>& estimates,
                  const Replicates& unbiased) {
   const std::size_t values =
       3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   const auto fits = [&](const std::vector<float>& picture) { return picture.size() == values; };
   const auto all_fit = [&](const Replicates& replicates) {
-    return replicates.size() >= kParts && std::all_of(replicates.begin(), replicates.end(), fits);
+    return std::all_of(replicates.begin(), replicates.end(), fits);
   };
-  const bool fine =
-      !estimates.empty() && all_fit(unbiased) &&
-      std::all_of(estimates.begin(), estimates.end(), [&](const BiasedEstimate& e) {
-        return fits(e.pixels) && all_fit(e.replicates) && (e.found.empty() || all_fit(e.found));
-      });
+  const bool fine = !estimates.empty() && all_fit(unbiased) &&
+                    std::all_of(estimates.begin(), estimates.end(), [&](const BiasedEstimate& e) {
+                      return fits(e.pixels) && all_fit(e.parts) && e.parts.size() >= 2 &&
+                             e.parts.size() <= unbiased.size() && all_fit(e.found) &&
+                             (e.found.empty() || e.found.size() == unbiased.size());
+                    });
   if (!fine) throw std::invalid_argument("mix_estimates: sizes do not fit");
 }
 
@@ -46,32 +44,43 @@ std::vector<float> scales_of(const std::vector<BiasedEstimate>& estimates) {
   return scales;
 }
 
-/// (D_a − X_b) · (D_c − X_d) of one value, relative, over all orders of four.
-float squared_bias(const Replicates& biased, const Replicates& unbiased, std::size_t value,
-                   float scale) {
-  const auto difference = [&](std::size_t a, std::size_t b) {
-    // A firefly of one replicate is no sign of bias.
-    return std::clamp((biased[a][value] - unbiased[b][value]) * scale,
-                      -PostHeuristics::kMostDifference, PostHeuristics::kMostDifference);
-  };
-  // Pairings of two replicates, with the other two free.
-  constexpr std::array<std::array<std::size_t, kParts>, 6> kPairs = {
-      {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+/// Mean of the replicates `part`, `part` + `parts`, …, of one value.
+float mean_of_part(const Replicates& replicates, std::size_t part, std::size_t parts,
+                   std::size_t value) {
   float sum = 0.F;
-  for (const auto& [a, c, b, d] : kPairs) {
-    sum += difference(a, b) * difference(c, d) + difference(a, d) * difference(c, b);
+  float count = 0.F;
+  for (std::size_t i = part; i < replicates.size(); i += parts) {
+    sum += replicates[i][value];
+    count += 1.F;
   }
-  return sum / static_cast<float>(2 * kPairs.size());
+  return sum / count;
 }
 
-/// Squared standard error of the mean of the replicates of one value, relative.
-float variance(const BiasedEstimate& estimate, std::size_t value, float scale) {
-  const auto count = static_cast<float>(estimate.replicates.size());
-  float mean = 0.F;
-  for (const std::vector<float>& replicate : estimate.replicates) mean += replicate[value] / count;
+/// (D_p − X_p) · (D_q − X_q) of one value, relative, mean over all pairs of parts.
+float squared_bias(const Replicates& parts, const Replicates& unbiased, std::size_t value,
+                   float scale) {
   float sum = 0.F;
-  for (const std::vector<float>& replicate : estimate.replicates) {
-    const float difference = (replicate[value] - mean) * scale;
+  float squares = 0.F;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const float difference = parts[p][value] - mean_of_part(unbiased, p, parts.size(), value);
+    // A firefly of one part is no sign of bias.
+    const float counted = std::clamp(difference * scale, -PostHeuristics::kMostDifference,
+                                     PostHeuristics::kMostDifference);
+    sum += counted;
+    squares += counted * counted;
+  }
+  const auto count = static_cast<float>(parts.size());
+  return (sum * sum - squares) / (count * (count - 1.F));
+}
+
+/// Squared standard error of the mean of parts of one value, relative.
+float variance(const Replicates& parts, std::size_t value, float scale) {
+  const auto count = static_cast<float>(parts.size());
+  float mean = 0.F;
+  for (const std::vector<float>& part : parts) mean += part[value] / count;
+  float sum = 0.F;
+  for (const std::vector<float>& part : parts) {
+    const float difference = (part[value] - mean) * scale;
     sum += difference * difference;
   }
   return sum / (count * (count - 1.F));
@@ -80,11 +89,12 @@ float variance(const BiasedEstimate& estimate, std::size_t value, float scale) {
 /// Squared errors of an estimate, relative, mean over channels and patches.
 struct SquaredError {
   Plane noise;
-  Plane bias;     ///< bias of a replicate
-  Plane missing;  ///< part of `bias` from before the filter
+  Plane bias;     ///< bias of a part
+  Plane missing;  ///< share of `bias` from before the filter
+  float parts = 1.F;
 
   float of_whole(std::size_t i) const {
-    return noise.values[i] + missing.values[i] + (bias.values[i] - missing.values[i]) / kParts;
+    return noise.values[i] + missing.values[i] + (bias.values[i] - missing.values[i]) / parts;
   }
 };
 SquaredError squared_error(Vec2i size, const BiasedEstimate& estimate, const Replicates& unbiased,
@@ -98,11 +108,11 @@ SquaredError squared_error(Vec2i size, const BiasedEstimate& estimate, const Rep
           3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
                static_cast<std::size_t>(x));
       for (std::size_t v = first; v < first + 3; ++v) {
-        bias.at(x, y) += squared_bias(estimate.replicates, unbiased, v, scales[v]) / 3.F;
+        bias.at(x, y) += squared_bias(estimate.parts, unbiased, v, scales[v]) / 3.F;
         if (!estimate.found.empty()) {
           missing.at(x, y) += squared_bias(estimate.found, unbiased, v, scales[v]) / 3.F;
         }
-        noise.at(x, y) += variance(estimate, v, scales[v]) / 3.F;
+        noise.at(x, y) += variance(estimate.parts, v, scales[v]) / 3.F;
       }
     }
   });
@@ -114,7 +124,8 @@ SquaredError squared_error(Vec2i size, const BiasedEstimate& estimate, const Rep
     bias.values[i] = std::max(0.F, bias.values[i]);
     missing.values[i] = std::clamp(missing.values[i], 0.F, bias.values[i]);
   }
-  return {std::move(noise), std::move(bias), std::move(missing)};
+  return {std::move(noise), std::move(bias), std::move(missing),
+          static_cast<float>(estimate.parts.size())};
 }
 
 }  // namespace

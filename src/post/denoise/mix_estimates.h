@@ -9,8 +9,11 @@ namespace ajar {
 /// A picture made by something that may be wrong, such as a filter: RGB interleaved, row by row.
 struct BiasedEstimate {
   std::vector<float> pixels;
-  Replicates replicates;  ///< estimates of each replicate alone; at least four
-  /// Input of the estimates, if it may lack light which the unbiased replicates have; else empty.
+  /// Estimates of parts of the samples alone, at least two of them, P: part p is made of the
+  /// replicates p, p + P, p + 2 P, ….
+  Replicates parts;
+  /// Replicates before the estimate, if they may lack light which the unbiased ones have; else
+  /// empty.
   Replicates found{};
 };
 
@@ -26,21 +29,22 @@ struct MixedEstimate {
 
 /// Mixes estimates in inverse proportion to the squares of their squared errors, patch by patch:
 /// proportion to the squared errors themselves, best for independent estimates, gives too much
-/// weight to the worse ones (docs/notebook/denoising.md). With replicates X that are unbiased, and
-/// estimates D of them, independent of those that they are compared with,
+/// weight to the worse ones (docs/notebook/denoising.md). With parts X_p of the samples, which are
+/// unbiased, and estimates D_p of the same parts,
 ///
-///     (D₁ − X₂) · (D₃ − X₄)
+///     (D₁ − X₁) · (D₂ − X₂)
 ///
-/// is the squared bias of D without bias (ours; docs/methods/denoising.md): that of a picture of as
-/// many samples as one replicate. The bias of a filter falls with the noise of its input, so a
-/// quarter of that is taken for the whole. Light that has not been found yet does not: all of the
-/// squared bias counts that the estimate had before the filter. It is averaged over all orders of
-/// four replicates and over a patch, relative to the estimates, so that bright pixels do not
-/// dominate; the spread of the replicates of D is added to it. Errors of the mixture are at most
-/// the mean of those of its parts, weighted by their shares, which is the value of `error`.
+/// is the squared bias of D without bias (ours; docs/methods/denoising.md), since parts are
+/// independent: the bias of a picture of as many samples as one part. The bias of a filter falls
+/// with the noise of its input, so of P parts a P-th of that is taken for the whole. Light that has
+/// not been found yet does not: all of the squared bias counts that the estimate had before the
+/// filter. It is averaged over all pairs of parts and over a patch, relative to the estimates, so
+/// that bright pixels do not dominate; the spread of the parts of D is added to it. Errors of the
+/// mixture are at most the mean of those of its parts, weighted by their shares, which is the value
+/// of `error`.
 ///
-/// `unbiased`: as many replicates as the estimates have. Raises std::invalid_argument if there are
-/// no estimates, too few replicates, or sizes that do not fit.
+/// `unbiased`: at least as many replicates as an estimate has parts. Raises std::invalid_argument
+/// if there are no estimates, too few parts or replicates, or sizes that do not fit.
 MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estimates,
                             const Replicates& unbiased);
 

@@ -29,8 +29,7 @@ Replicates noisy(const std::vector<float>& truth, float noise) {
 std::vector<BiasedEstimate> smooth_and_raw(const Replicates& replicates) {
   const std::vector<float> mean = replicate_mean(replicates);
   BiasedEstimate smooth{blurred(mean, kMixedSize, 4.0), {}};
-  for (const auto& picture : replicates)
-    smooth.replicates.push_back(blurred(picture, kMixedSize, 4.0));
+  for (const auto& picture : replicates) smooth.parts.push_back(blurred(picture, kMixedSize, 4.0));
   return {std::move(smooth), {mean, replicates}};
 }
 
@@ -95,7 +94,7 @@ TEST(MixEstimates, WeighsDownEstimatesThatMissLight) {
   // Not if it is the filter's fault.
   dark.found = replicates;
   EXPECT_GT(mean_of(mix_estimates(kMixedSize, {dark, noise}, replicates).shares[0]), 0.75);
-  dark.found = dark.replicates;
+  dark.found = dark.parts;
   EXPECT_LT(mean_of(mix_estimates(kMixedSize, {dark, noise}, replicates).shares[0]), 0.45);
 }
 
@@ -117,7 +116,7 @@ TEST(MixEstimates, ChoosesByPatch) {
   for (std::size_t i = 0; i < kMixedValues; ++i) {
     BiasedEstimate& wrong = estimates[i / 3 % 96 < 48 ? 0 : 1];
     wrong.pixels[i] = 1.5F;
-    for (std::vector<float>& picture : wrong.replicates) picture[i] = 1.5F;
+    for (std::vector<float>& picture : wrong.parts) picture[i] = 1.5F;
   }
   const MixedEstimate mixed = mix_estimates(kMixedSize, estimates, replicates);
   for (std::size_t i = 0; i < kMixedValues; ++i) {
@@ -146,8 +145,28 @@ TEST(MixEstimates, ReportsNoBiasOfAnUnbiasedFilter) {
   const MixedEstimate mixed =
       mix_estimates(kMixedSize, {{truth, Replicates(4, truth)}}, replicates);
   // 0.25 for each of the products' factors over the square root of the pixels in a patch (100 of 3
-  // values) and of the twelve orders, which hang together; half of it is negative.
+  // values) and of the six pairs, which hang together; half of it is negative.
   EXPECT_LT(error_of(mixed.error, std::vector<float>(kMixedValues, 0.F)), 0.1);
+}
+
+/// Filters leave part of the noise of a part in its estimate, which has nothing to do with that of
+/// another part.
+TEST(MixEstimates, KnowsTheBiasOfHalves) {
+  constexpr float kBias = 0.2F;
+  constexpr float kNoise = 0.4F;
+  const std::vector<float> truth(kMixedValues, 1.F);
+  const Replicates replicates = noisy(truth, kNoise);
+  BiasedEstimate estimate{truth, {}};
+  for (const std::size_t half : {0U, 1U}) {
+    std::vector<float>& part =
+        estimate.parts.emplace_back(replicate_mean({replicates[half], replicates[half + 2]}));
+    for (float& value : part) value = 1.F + kBias + 0.5F * (value - 1.F);
+  }
+  const MixedEstimate mixed = mix_estimates(kMixedSize, {estimate}, replicates);
+  const double bias = std::pow(kBias, 2) / 2;
+  const double spread = std::pow(0.5F * kNoise / 2, 2);
+  EXPECT_NEAR(error_of(mixed.error, std::vector<float>(kMixedValues, 0.F)),
+              std::sqrt(bias + spread), 0.01);
 }
 
 TEST(MixEstimates, DistinguishesFirefliesFromLostLight) {
@@ -177,8 +196,10 @@ TEST(MixEstimates, RefusesOtherSizes) {
   const std::vector<float> picture(kMixedValues, 1.F);
   const Replicates four(4, picture);
   EXPECT_THROW(mix_estimates(kMixedSize, {}, four), std::invalid_argument);
-  EXPECT_THROW(mix_estimates(kMixedSize, {{picture, Replicates(3, picture)}}, four),
-               std::invalid_argument);
+  for (const std::size_t parts : {1U, 5U}) {
+    EXPECT_THROW(mix_estimates(kMixedSize, {{picture, Replicates(parts, picture)}}, four),
+                 std::invalid_argument);
+  }
   EXPECT_THROW(mix_estimates(kMixedSize, {{picture, four, Replicates(3, picture)}}, four),
                std::invalid_argument);
   EXPECT_THROW(mix_estimates({95, 96}, {{picture, four}}, four), std::invalid_argument);

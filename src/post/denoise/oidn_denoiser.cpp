@@ -71,7 +71,7 @@ class OidnDevice {
   };
   /// Empty if `progress` ended it.
   std::optional<std::vector<float>> run(Vec2i size, std::span<const Input> inputs, bool is_radiance,
-                                        bool roughly, const Denoiser::Progress& progress) const {
+                                        int quality, const Denoiser::Progress& progress) const {
     const Owned<OidnLibrary::Filter> filter(oidn_.new_filter(device_.get(), "RT"),
                                             oidn_.release_filter);
     std::vector<float> output(3 * static_cast<std::size_t>(size.x) *
@@ -90,7 +90,7 @@ class OidnDevice {
       oidn_.set_filter_bool(filter.get(), "cleanAux", inputs.size() > 1);
     }
     oidn_.set_filter_int(filter.get(), "maxMemoryMB", kMostMemory);
-    if (roughly) oidn_.set_filter_int(filter.get(), "quality", OidnLibrary::kFast);
+    oidn_.set_filter_int(filter.get(), "quality", quality);
     if (progress) {
       oidn_.set_filter_progress_monitor_function(
           filter.get(),
@@ -157,7 +157,10 @@ Features OidnDenoiser::prepare(Vec2i size, Features features) const {
   const OidnDevice device(*library_);
   const auto clean = [&](const char* name, std::vector<float>& pixels) {
     pixels = finite_values(pixels);
-    pixels = *device.run(size, std::array{OidnDevice::Input{name, &pixels}}, false, false, {});
+    // The finished picture is the same as with the best network, which takes twice as long
+    // (docs/notebook/denoising.md).
+    pixels = *device.run(size, std::array{OidnDevice::Input{name, &pixels}}, false,
+                         OidnLibrary::kBalanced, {});
   };
   clean("albedo", features.albedo);
   clean("normal", features.normal);
@@ -177,7 +180,8 @@ std::optional<std::vector<float>> OidnDenoiser::filter(const NoisyPicture& pictu
     inputs.push_back({"albedo", &features.albedo});
     inputs.push_back({"normal", &features.normal});
   }
-  auto pixels = device.run(picture.size, inputs, true, picture.roughly, progress);
+  const int quality = picture.roughly ? OidnLibrary::kFast : OidnLibrary::kHigh;
+  auto pixels = device.run(picture.size, inputs, true, quality, progress);
   if (pixels && halvings != 0) multiply(*pixels, halvings);
   return pixels;
 }

@@ -17,6 +17,8 @@ struct OidnLibrary {
   static constexpr int kCpu = 1;
   static constexpr int kFloat3 = 3;
   static constexpr int kFast = 4;
+  static constexpr int kBalanced = 5;
+  static constexpr int kHigh = 6;
   static constexpr int kNoError = 0;
   static constexpr int kCancelled = 6;
 

@@ -16,6 +16,11 @@ std::uint64_t round_up(std::uint64_t value, std::uint64_t multiple) {
 
 }  // namespace
 
+double seconds_of_passes(double limit, double before, double after) {
+  const double left = std::max(0.0, limit - before);
+  return left - std::min(after, 0.5 * left);
+}
+
 PassSchedule::PassSchedule(const Budget& budget, int replicates, double pass_seconds)
     : budget_(budget),
       replicates_(static_cast<std::uint64_t>(std::max(1, replicates))),

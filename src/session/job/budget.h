@@ -8,11 +8,15 @@ namespace ajar {
 /// interrupted.
 struct Budget {
   std::optional<std::uint64_t> samples_per_pixel;  ///< rounded up to whole samples per replicate
-  std::optional<double> seconds;                   ///< time of rendering, wall clock
+  std::optional<double> seconds;                   ///< wall clock
   std::optional<double> target_error;              ///< relative error of the whole picture
   bool denoised_target = false;                    ///< ... of the denoised one
   bool is_empty() const { return !samples_per_pixel && !seconds && !target_error; }
 };
+
+/// Seconds that passes may take of a limit: what comes before them has taken `before`, and `after`
+/// is expected of what follows. If that is more than half of what is left, they take half.
+double seconds_of_passes(double limit, double before, double after);
 
 /// Statistics for planning the next pass.
 struct PassHistory {

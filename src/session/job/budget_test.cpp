@@ -65,6 +65,13 @@ TEST(PassSchedule, DoesNotBeginWhatLiesBeyondTheTimeLimit) {
   EXPECT_EQ(schedule.next_pass({64, 9.92, 0.01}), 8U);  // 80 ms left
 }
 
+TEST(SecondsOfPasses, LeaveTimeForWhatFollows) {
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 2.0, 3.0), 15.0);
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 2.0, 0.0), 18.0);
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 2.0, 100.0), 9.0) << "half of what is left";
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 30.0, 3.0), 0.0);
+}
+
 TEST(PassSchedule, AlwaysHasAFirstPass) {
   EXPECT_EQ(PassSchedule({{}, 1e-9, {}}, 4, 0.5).next_pass({}), 1U);
 }

@@ -331,7 +331,7 @@ std::vector<RenderOption> options_of_budget() {
        .read = reads(&S::samples_per_pixel, parse_whole_number<std::uint64_t>, limits::kSamples)},
       {.name = "seconds",
        .member = &S::seconds,
-       .help = "Time to render, such as 60s, 2m or 1h30m",
+       .help = "Time until the finished picture is there, such as 60s, 2m or 1h30m",
        .in_settings = true,
        .is_kept = true,
        .check = is_within(&S::seconds, limits::kSeconds),

@@ -86,8 +86,9 @@ std::shared_ptr<const Denoiser> fitting_denoiser(const Picture& picture,
 
 bool denoise_picture(Picture& picture, std::shared_ptr<const Denoiser> denoiser,
                      const Denoiser::Progress& progress) {
-  PictureFilter filter(std::move(denoiser), [features = features_in(picture)](
-                                                const Denoiser::Progress&) { return features; });
+  PictureFilter filter(std::move(denoiser),
+                       [features = features_in(picture)](
+                           std::uint32_t /*rays*/, const Denoiser::Progress&) { return features; });
   const Replicates replicates = replicates_in(picture);
   std::erase_if(picture.layers, [](const Picture::Layer& layer) {
     return layer.name == kDenoisedLayer || layer.name == kDenoisedError ||

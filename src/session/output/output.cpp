@@ -281,6 +281,7 @@ Picture develop(const Film& film, const Development& scales, std::uint64_t sampl
 PictureEstimates estimates_of(const Film& film, const Development& scales, std::uint64_t samples,
                               double film_scale) {
   PictureEstimates estimates;
+  estimates.samples = samples;
   if (!has_replicates(film, samples)) return estimates;
   estimates.replicates =
       develop_replicates(film, scaled_layers(light_layers(film), scales, film_scale));

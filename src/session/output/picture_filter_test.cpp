@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "integrator/montecarlo/scene_features.h"
 #include "post/display.h"
 
 namespace ajar {
@@ -23,6 +24,9 @@ class Evener final : public Denoiser {
   std::optional<std::vector<float>> filter(const NoisyPicture& picture, const Features& features,
                                            const Progress& progress) const override {
     albedo = features.albedo;
+    largest = std::max(largest, picture.size.x * picture.size.y);
+    if (picture.roughly)
+      roughly_filtered.emplace_back(picture.colour.begin(), picture.colour.end());
     ++(picture.roughly ? rough_runs : fine_runs);
     if (progress && !progress(0.5)) return std::nullopt;
     const float sum = std::accumulate(picture.colour.begin(), picture.colour.end(), 0.F);
@@ -32,6 +36,8 @@ class Evener final : public Denoiser {
   mutable int prepared = 0;
   mutable int rough_runs = 0;
   mutable int fine_runs = 0;
+  mutable int largest = 0;  ///< pixels
+  mutable Replicates roughly_filtered;
   mutable std::vector<float> albedo;
 };
 
@@ -54,7 +60,9 @@ Picture picture_of(std::vector<float> pixels) {
   return picture;
 }
 
-std::optional<Features> nothing(const Denoiser::Progress& /*progress*/) { return Features(); }
+std::optional<Features> nothing(std::uint32_t /*rays*/, const Denoiser::Progress& /*progress*/) {
+  return Features();
+}
 
 const std::vector<float>& layer_of(const Picture& picture, const std::string& name) {
   return std::find_if(picture.layers.begin(), picture.layers.end(),
@@ -65,7 +73,7 @@ const std::vector<float>& layer_of(const Picture& picture, const std::string& na
 TEST(PictureFilter, AddsLayersAndLooksAtTheSceneOnce) {
   const auto evener = std::make_shared<Evener>();
   int looks = 0;
-  PictureFilter filter(evener, [&](const Denoiser::Progress&) {
+  PictureFilter filter(evener, [&](std::uint32_t /*rays*/, const Denoiser::Progress&) {
     ++looks;
     return Features{even(0.25F), even(0.5F)};
   });
@@ -86,6 +94,26 @@ TEST(PictureFilter, AddsLayersAndLooksAtTheSceneOnce) {
   EXPECT_EQ(filter.features().albedo, even(0.25F));
 }
 
+/// Finished pictures hang on their samples alone, whatever was looked at before.
+TEST(PictureFilter, KnowsFeaturesByTheRaysOfAFinishedPicture) {
+  std::vector<std::uint32_t> looks;
+  const auto evener = std::make_shared<Evener>();
+  PictureFilter filter(evener, [&](std::uint32_t rays, const Denoiser::Progress&) {
+    looks.push_back(rays);
+    const std::vector<float> shown = even(static_cast<float>(rays));
+    return Features{shown, shown};
+  });
+  PictureEstimates estimates{Replicates(4, even(1.F)), {}};
+  for (const std::uint64_t samples : {320U, 327U, 4U, 1000U}) {
+    estimates.samples = samples;
+    Picture picture = picture_of(even(1.F));
+    ASSERT_TRUE(filter.add_best_layers(picture, estimates));
+    EXPECT_EQ(evener->albedo, even(static_cast<float>(feature_rays(samples))));
+    EXPECT_EQ(layer_of(picture, kFeatureNormal), evener->albedo);
+  }
+  EXPECT_EQ(looks, (std::vector<std::uint32_t>{40, 16, 64}));
+}
+
 TEST(PictureFilter, FiltersTheUnfilteredPictureAndBothEstimates) {
   const auto evener = std::make_shared<Evener>();
   PictureFilter filter(evener, nothing);
@@ -93,7 +121,7 @@ TEST(PictureFilter, FiltersTheUnfilteredPictureAndBothEstimates) {
   ASSERT_TRUE(
       filter.add_best_layers(picture, {Replicates(4, even(1.F)), Replicates(4, even(1.F))}));
   EXPECT_EQ(evener->fine_runs, 2);
-  EXPECT_EQ(evener->rough_runs, 8);
+  EXPECT_EQ(evener->rough_runs, 4);
   EXPECT_EQ(layer_of(picture, kDenoisedLayer), even(1.F));
   EXPECT_EQ(denoised_error(picture), 0.0);
 }
@@ -116,6 +144,33 @@ TEST(PictureFilter, FiltersBoxesAndMixesThemWithThePicture) {
   EXPECT_EQ(layer_of(picture, kDenoisedLayer), even(1.F));
 }
 
+/// Parts as `mix_estimates` wants them.
+TEST(PictureFilter, FiltersTheHalvesThatAreEveryOtherReplicate) {
+  const auto evener = std::make_shared<Evener>();
+  PictureFilter filter(evener, nothing);
+  Picture picture = picture_of(even(2.5F));
+  ASSERT_TRUE(filter.add_best_layers(picture, {{even(1.F), even(2.F), even(3.F), even(4.F)}, {}}));
+  EXPECT_EQ(evener->roughly_filtered, Replicates({even(2.F), even(3.F)}));
+}
+
+TEST(PictureFilter, ExpectsItsTimeFromCornersOfThePicture) {
+  for (const bool has_others : {false, true}) {
+    const auto evener = std::make_shared<Evener>();
+    const PictureFilter filter(evener, nothing);
+    EXPECT_GE(filter.expected_seconds({640, 480}, has_others), 0.0);
+    EXPECT_EQ(evener->rough_runs, 2 * evener->fine_runs);
+    EXPECT_EQ(evener->fine_runs, has_others ? 6 : 3);
+    EXPECT_EQ(evener->largest, 96 * 96);
+    EXPECT_EQ(evener->albedo.size(), std::size_t{3} * 96 * 96);
+    EXPECT_EQ(evener->prepared, 3);
+    EXPECT_TRUE(PictureFilter(evener, nothing).features().empty());
+  }
+  // Smaller than any corner.
+  const auto evener = std::make_shared<Evener>();
+  EXPECT_GE(PictureFilter(evener, nothing).expected_seconds({3, 2}, false), 0.0);
+  EXPECT_EQ(evener->largest, 6);
+}
+
 TEST(PictureFilter, ShowsWhatItsReplicatesAgreeOn) {
   // All replicates have the squares, which are no noise.
   PictureFilter filter(std::make_shared<Evener>(), nothing);
@@ -136,7 +191,7 @@ TEST(PictureFilter, TakesTheOtherEstimateWhereItIsBetter) {
 TEST(PictureFilter, DoesNotTakeTheOtherEstimateWhereItMissesLight) {
   PictureFilter filter(std::make_shared<Evener>(), nothing);
   Picture picture = picture_of(even(1.F));
-  const Replicates replicates = {even(0.8F), even(1.2F), even(0.8F), even(1.2F)};
+  const Replicates replicates = {even(0.9F), even(1.1F), even(0.9F), even(1.1F)};
   ASSERT_TRUE(filter.add_best_layers(picture, {replicates, Replicates(4, even(0.7F))}));
   EXPECT_NEAR(layer_of(picture, kDenoisedLayer)[0], 1.F, 0.02F);
 }
@@ -173,15 +228,15 @@ TEST(PictureFilter, TellsHowFarItIs) {
     told.push_back(done);
     return true;
   }));
-  EXPECT_EQ(told.size(), 5U);
+  EXPECT_EQ(told.size(), 3U);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_NEAR(told.front(), 1.5 / 6, 1e-9) << "after the features";
-  EXPECT_NEAR(told.back(), 5.5 / 6, 1e-9);
+  EXPECT_NEAR(told.front(), 1.5 / 4, 1e-9) << "after the features";
+  EXPECT_NEAR(told.back(), 3.5 / 4, 1e-9);
 }
 
 TEST(PictureFilter, LeavesAPictureAsItWasWhereverItIsStopped) {
   const PictureEstimates estimates{Replicates(4, chequered()), Replicates(4, chequered())};
-  for (int stop = 0; stop < 10; ++stop) {
+  for (int stop = 0; stop < 6; ++stop) {
     PictureFilter filter(std::make_shared<Evener>(), nothing);
     Picture picture = picture_of(chequered());
     int told = 0;
@@ -191,7 +246,7 @@ TEST(PictureFilter, LeavesAPictureAsItWasWhereverItIsStopped) {
   }
   // While it looks at the scene, which it does again then.
   int looks = 0;
-  PictureFilter filter(std::make_shared<Evener>(), [&](const Denoiser::Progress&) {
+  PictureFilter filter(std::make_shared<Evener>(), [&](std::uint32_t, const Denoiser::Progress&) {
     return ++looks == 1 ? std::nullopt : std::optional(Features());
   });
   Picture picture = picture_of(chequered());

@@ -1,5 +1,6 @@
 #include "session/render/render_method.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 #include <vector>
@@ -132,18 +133,26 @@ void make_filter(RenderState& state) {
   if (!note.empty()) state.events.note(note);
   if (!denoiser) return;
   const RenderSettings& settings = state.plan->setup.settings;
-  Features known;
-  if (state.request.resumed) known = state.request.resumed->features;
-  const auto look = [&scene = *state.scene, settings, roughly = !state.has_begun,
-                     known = std::move(known)](const Denoiser::Progress& progress) {
-    return known.empty() ? trace_features(scene, settings, progress, roughly) : known;
+  const auto tracer = std::make_shared<FeatureTracer>(*state.scene, settings);
+  const auto look = [tracer, roughly = !state.has_begun](std::uint32_t rays,
+                                                         const Denoiser::Progress& progress) {
+    return tracer->look(roughly ? 1 : rays, progress);
   };
   state.filter = std::make_shared<PictureFilter>(std::move(denoiser), look);
+  if (!state.has_begun) return;
+  state.features = tracer;
+  const Vec2i size = settings.crop.size() + Vec2i(1, 1);
   // A merge of checkpoints has no scene to look at.
-  if (state.request.spec.checkpoint.empty() || !state.has_begun) return;
-  const int before = state.interrupts;
-  state.filter->know_features(settings.crop.size() + Vec2i(1, 1),
-                              [&](double /*done*/) { return state.interrupts == before; });
+  if (!state.request.spec.checkpoint.empty()) {
+    const int before = state.interrupts;
+    state.filter->know_features(size, [&](double /*done*/) { return state.interrupts == before; });
+  }
+  if (!state.plan->setup.budget.seconds || !PictureFilter::mixes(settings.replicates)) return;
+  const std::vector<LayerSpec> layers = state.integrator->layers();
+  const bool has_others = std::any_of(layers.begin(), layers.end(), [](const LayerSpec& layer) {
+    return !layer.instead_of.empty();
+  });
+  state.filter_seconds = state.filter->expected_seconds(size, has_others);
 }
 
 void make_film(RenderState& state) {

@@ -60,7 +60,10 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
   RenderJobOptions options;
   options.budget = state.plan->setup.budget;
   // A time limit covers everything after loading.
-  if (options.budget.seconds) *options.budget.seconds -= state.other_seconds;
+  if (options.budget.seconds) {
+    options.budget.seconds =
+        seconds_of_passes(*options.budget.seconds, state.other_seconds, state.filter_seconds);
+  }
   options.threads = state.request.spec.threads;
   options.estimate_error = [&integrator = *state.integrator](const Film& film,
                                                              std::uint64_t samples) {
@@ -84,6 +87,24 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
   options.observers = std::move(observers);
   return options;
 }
+
+/// Traces features between passes, more rays the more samples there are: in the end nothing is left
+/// to trace, and their time is within that of the passes.
+class FeatureRays final : public PassObserver {
+ public:
+  FeatureRays(FeatureTracer& tracer, const InterruptCount& interrupts)
+      : tracer_(tracer), interrupts_(interrupts) {}
+  bool wants_picture(const JobState& job) override {
+    tracer_.trace(feature_rays(job.samples_per_pixel),
+                  [this](double /*done*/) { return interrupts_ == 0; });
+    return false;
+  }
+  void see_picture(const Film& /*film*/, const JobState& /*job*/) override {}
+
+ private:
+  FeatureTracer& tracer_;
+  const InterruptCount& interrupts_;
+};
 
 /// While it lives, passes may be looked at.
 class OpenPasses {
@@ -177,6 +198,7 @@ RenderOutcome render_passes(RenderState& state) {
       develop);
   std::optional<RenderWriters> writers;
   std::vector<PassObserver*> observers;
+  std::optional<FeatureRays> feature_tracing;
   if (state.request.is_root()) {
     std::optional<Checkpoint> base;
     if (state.has_begun && !state.request.spec.checkpoint.empty()) base = checkpoint_base(state);
@@ -185,6 +207,9 @@ RenderOutcome render_passes(RenderState& state) {
                     develop, state.events);
     observers = writers->observers();
     observers.insert(observers.end(), {&teller, &state.monitor.passes});
+    if (state.features) {
+      observers.push_back(&feature_tracing.emplace(*state.features, state.interrupts));
+    }
   }
   RenderJob job(*state.integrator, *state.film, job_options(state, std::move(observers)));
   std::optional<OpenPasses> open;

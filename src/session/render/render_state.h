@@ -6,6 +6,7 @@
 
 #include "core/warnings.h"
 #include "image/film.h"
+#include "integrator/montecarlo/scene_features.h"
 #include "scene/scene.h"
 #include "session/output/picture_filter.h"
 #include "session/output/stats_json.h"
@@ -32,6 +33,8 @@ struct RenderState {
   std::unique_ptr<Integrator> integrator{};
   std::optional<Film> film{};
   std::shared_ptr<PictureFilter> filter{};  ///< null: pictures are as they were rendered
+  std::shared_ptr<FeatureTracer>
+      features{};                      ///< for the filter, traced with the passes; may be null
   std::unique_ptr<Preview> preview{};  ///< null: there is none; the writers' once there are passes
   /// False if the user stopped it while it was prepared: what is shown then is another picture, by
   /// ordinary Monte Carlo alone, which no checkpoint must go on with.
@@ -39,6 +42,7 @@ struct RenderState {
   std::uint64_t preparation_rounds = 0;
   std::optional<PreparationCut> unprepared{};  ///< why the preparation was cut short, if it was
   double other_seconds = 0.0;       ///< seconds of building and preparing, all runs together
+  double filter_seconds = 0.0;      ///< expected time of filtering the finished picture
   std::uint64_t passes_before = 0;  ///< passes of earlier runs
 
   /// Tells it, and keeps it for the statistics.
