@@ -56,13 +56,19 @@ class Division final : public ChainWeight {
 
   /// Divides indirect light at g = `threshold` everywhere. `importance` must outlive this.
   Division(double threshold, const ImportanceMap& importance)
-      : pixels_(1), highest_(static_cast<float>(threshold)), importance_(&importance) {
+      : pixels_(1),
+        highest_(static_cast<float>(threshold)),
+        takes_nothing_(false),
+        importance_(&importance) {
     pixels_.front().threshold = highest_;
   }
   /// `pixels`: one per pixel of `crop`, row by row.
   Division(const Box2i& crop, std::vector<PixelDivision> pixels, const ImportanceMap& importance)
       : crop_(crop), pixels_(std::move(pixels)), importance_(&importance) {
-    for (const PixelDivision& pixel : pixels_) highest_ = std::max(highest_, pixel.threshold);
+    for (const PixelDivision& pixel : pixels_) {
+      highest_ = std::max(highest_, pixel.threshold);
+      takes_nothing_ = takes_nothing_ && pixel.deposit_scale == 0.F;
+    }
   }
 
   static bool divides(Technique technique) { return technique.depth() > kDirectDepth; }
@@ -116,10 +122,7 @@ class Division final : public ChainWeight {
     return pixel.target_scale > 0.F ? pixel.deposit_scale / pixel.target_scale : 0.F;
   }
   /// True if the picture takes nothing from chains anywhere.
-  bool takes_nothing() const {
-    return std::all_of(pixels_.begin(), pixels_.end(),
-                       [](const PixelDivision& pixel) { return pixel.deposit_scale == 0.F; });
-  }
+  bool takes_nothing() const { return takes_nothing_; }
   /// T of the pixel where it is highest.
   float highest_threshold() const { return highest_; }
   float importance(const Vec2& raster) const { return (*importance_)(raster); }
@@ -132,6 +135,7 @@ class Division final : public ChainWeight {
   Box2i crop_{Vec2i(0, 0), Vec2i(0, 0)};
   std::vector<PixelDivision> pixels_;
   float highest_ = 0.F;
+  bool takes_nothing_ = true;
   const ImportanceMap* importance_;
 };
 

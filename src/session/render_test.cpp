@@ -251,7 +251,7 @@ RenderRequest selective_request(bool prepared = true) {
   request.spec.max_depth = 3;
   if (!prepared) {
     request.spec.parameters = {{"pilot", "discard"}};
-    request.spec.resolution = {200, 150};
+    request.spec.resolution = {240, 180};
   }
   return request;
 }
@@ -496,16 +496,16 @@ TEST(Render, WritesFilesAndGoesOn) {
   lock_checkpoint_of(few);
   rendered(std::move(few));
   RenderRequest whole = selective_request(false);
-  whole.spec.samples_per_pixel = 16;
+  whole.spec.samples_per_pixel = 12;
   const std::vector<float> expected = rendered(std::move(whole));
-  for (const std::uint64_t samples : {16, 64}) {
+  for (const std::uint64_t samples : {12, 64}) {
     RenderRequest more;
     more.spec.samples_per_pixel = samples;
     resume_from(of_few, more);
     Listener listener;
     Render render(std::move(more), listener);
     const RenderOutcome& outcome = render.run();
-    if (samples == 16) {
+    if (samples == 12) {
       EXPECT_EQ(pixels_of(*outcome.picture), expected);
     }
     EXPECT_TRUE(has_note(listener, kFewSamples));

@@ -116,6 +116,21 @@ TEST_F(RegionChoiceTest, NoSingleSampleTurnsTheDecision) {
   }
 }
 
+TEST_F(RegionChoiceTest, ChainsAreHopelessWhereEvenFirefliesDoNotPay) {
+  constexpr double kBad = 300.0;
+  const RegionChoice even = choose(kBad);
+  EXPECT_TRUE(even.is_hopeless());
+  const RegionChoice without = without_chains(even, 3);
+  ASSERT_EQ(without.regions.size(), 3U);
+  EXPECT_EQ(without.regions.back().target_scale, 0.F);
+  EXPECT_EQ(without.regions.back().deposit_scale, 0.F);
+  found_.front() = path(0, 1e6F);
+  EXPECT_TRUE(choose(kBad).has_hope()) << "a single sample may be luck, which is hoped for";
+  found_.clear();
+  EXPECT_FALSE(choose(kBad).is_hopeless()) << "nothing was found";
+  EXPECT_FALSE(choose(kBad).has_hope());
+}
+
 TEST_F(RegionChoiceTest, SeveralSamplesTurnTheDecision) {
   constexpr double kFair = 5.0;
   const double before = threshold(kFair);

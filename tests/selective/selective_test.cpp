@@ -303,7 +303,7 @@ TEST(Selective, HasTheSameExpectationWithAndWithoutTheSamplesOfThePilot) {
   // The pilot is kept from four replicates on.
   for (const int replicates : {2, 4}) {
     options.replicates = replicates;
-    expect_mean_over_seeds({truth.mean(), truth.standard_error(), 0.04 * truth.mean()}, 60,
+    expect_mean_over_seeds({truth.mean(), truth.standard_error(), 0.04 * truth.mean()}, 80,
                            test::mean_of_seed(*scene, options),
                            std::to_string(replicates) + " replicates");
   }

@@ -34,6 +34,7 @@ void SampleSink::begin_pixel(Vec2i pixel, int replicate, float light_weight,
   put(layers_.direct, guess_.direct);
   put(layers_.indirect, guess_.indirect);
   division_ = divisions_ != nullptr ? &divisions_->of(replicate) : nullptr;
+  if (division_ != nullptr && division_->takes_nothing()) division_ = nullptr;
 }
 
 void SampleSink::begin_sample(const Vec2& raster, float filter_weight, float weight,

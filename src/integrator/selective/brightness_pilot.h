@@ -9,7 +9,8 @@
 namespace ajar {
 
 /// Brightness of the picture from a few samples, none of which stay: for the importance map, and
-/// for the scale of thresholds.
+/// for the scale of thresholds. The picture is cut into squares, of which each has a sample: as
+/// many tell enough of a large picture as of a small one.
 class BrightnessPilot final : public PreparationStage {
  public:
   struct Result {
@@ -28,12 +29,33 @@ class BrightnessPilot final : public PreparationStage {
   Result take() { return std::move(result_); }
 
  private:
-  /// RGB of the layer "direct" or "indirect".
-  std::vector<float> colors(const char* layer) const;
+  class Sink;
+  /// Light that fell into a square.
+  struct Splat {
+    std::size_t square;
+    Spectrum value;
+  };
+  /// Samples of an item: every so many of the squares, so that they are all over the picture.
+  struct Found {
+    std::vector<Splat> camera;
+    std::vector<Splat> light;
+    double largest_lanes = 0.0;
+  };
+  std::uint64_t squares() const {
+    return static_cast<std::uint64_t>(count_.x) * static_cast<std::uint64_t>(count_.y);
+  }
+  Vec2i square_at(const Vec2& raster) const;
+  /// Pixels of the crop in a square.
+  Box2i pixels_of(Vec2i square) const;
+  PictureScale scale() const;
+  /// Mean of each square.
+  std::vector<Spectrum> mean_light() const;
 
   const SelectivePreparation& prepared_;
-  std::unique_ptr<Integrator> omc_;
-  std::unique_ptr<Film> film_;
+  int side_;  ///< pixels
+  Vec2i count_;
+  PathSamplerSettings sampler_;
+  std::vector<Found> found_;  ///< item by item
   Result result_;
 };
 

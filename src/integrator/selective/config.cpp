@@ -50,7 +50,10 @@ SelectiveConfig::PilotSamples pilot_of(const std::string& text, int replicates) 
 PathFamilyDefaults omc_of(const Parameters& parameters) {
   const std::string& techniques = parameters.get_text("techniques");
   PathFamilyDefaults omc = path_family_defaults("bdpt");
-  if (techniques != kAuto) omc.techniques = techniques;
+  if (techniques != kAuto) {
+    omc.techniques = techniques;
+    omc.roulette_start = path_family_defaults(techniques).roulette_start;
+  }
   if (const auto light_paths = parameters.get_number(kLightPathsPerPixel)) {
     omc.light_paths_per_pixel = *light_paths;
   }
@@ -164,6 +167,7 @@ SelectiveConfig::SelectiveConfig(const Scene& the_scene, const RenderSettings& r
       omc(omc_of(parameters)),
       chooses_techniques(parameters.get_text("techniques") == kAuto &&
                          !parameters.get_number(kLightPathsPerPixel)),
+      chooses_division(regions.empty() && !parameters.get_number("split")),
       thresholds(thresholds_of(parameters.get_number("split"))),
       fireflies_threshold(SelectiveHeuristics::kDisplayWhite *
                           parameters.get_number("split").value_or(1.0)),

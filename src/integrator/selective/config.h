@@ -46,6 +46,7 @@ struct SelectiveConfig {
   UserRegions regions;
   PathFamilyDefaults omc;   ///< techniques of both halves, unless a pilot chooses
   bool chooses_techniques;  ///< a pilot does
+  bool chooses_division;    ///< a pilot does, without a word of the user
   /// T that regions choose from, relative to the brightness, ascending.
   std::vector<double> thresholds;
   double fireflies_threshold;  ///< T of chains that make fireflies only, relative to the brightness

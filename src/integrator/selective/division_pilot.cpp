@@ -112,8 +112,7 @@ std::uint64_t DivisionPilot::planned_samples() const {
 }
 
 double DivisionPilot::effort() const {
-  return static_cast<double>(planned_samples()) *
-         effort_with(prepared_.techniques.omc.light_paths_per_pixel);
+  return static_cast<double>(planned_samples()) * effort_of(prepared_.techniques.omc);
 }
 
 std::uint64_t DivisionPilot::begin() {
@@ -128,6 +127,7 @@ std::uint64_t DivisionPilot::begin() {
   reservoir_.set_initial_rate(static_cast<double>(samples_));
   omc_ = prepared_.make_omc(prepared_.techniques.omc, settings,
                             {.divisions = &*prepared_.divisions, .strong = this});
+  may_disable_chains_ = prepared_.config.chooses_division && !omc_->findings().misses_light;
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,
                                  make_filter(prepared_.scene().film().filter), settings.replicates,
                                  omc_->layers());
@@ -184,9 +184,35 @@ void DivisionPilot::end() {
     return std::tie(a.sample, a.t, a.s) < std::tie(b.sample, b.t, b.s);
   });
   std::vector<RegionChoice> choices;
-  for (std::size_t half = 0; half < (stays() ? 2U : 1U); ++half) {
-    choices.push_back(choose_regions(view(seen_by(half))));
+  for (std::size_t half = 0; half < (stays() ? 2U : 1U); ++half) choices.push_back(choose(half));
+  conclude(std::move(choices));
+}
+
+bool DivisionPilot::wants_regions() const {
+  return std::any_of(result_->choices.begin(), result_->choices.end(),
+                     [](const RegionChoice& choice) { return choice.has_hope(); });
+}
+
+void DivisionPilot::refine() {
+  std::vector<RegionChoice> choices = std::move(result_->choices);
+  for (std::size_t half = 0; half < choices.size(); ++half) {
+    RegionChoice& choice = choices[half];
+    if (choice.is_hopeless()) {
+      choice.regions.assign(prepared_.surfaces.regions.count(), choice.regions.front());
+    } else {
+      choice = choose(half);
+    }
   }
+  conclude(std::move(choices));
+}
+
+RegionChoice DivisionPilot::choose(std::size_t half) const {
+  RegionChoice choice = choose_regions(view(seen_by(half)));
+  if (!may_disable_chains_ || !choice.is_hopeless()) return choice;
+  return without_chains(std::move(choice), prepared_.surfaces.regions.count());
+}
+
+void DivisionPilot::conclude(std::vector<RegionChoice> choices) {
   const bool fireflies_only =
       prepared_.config.regions.painted.empty() &&
       std::all_of(choices.begin(), choices.end(),
@@ -200,11 +226,13 @@ void DivisionPilot::end() {
   const double fraction = chain_fraction(whole, divisions);
   result_.emplace(DivisionResult{std::move(choices), std::move(divisions), fireflies_only,
                                  pilot_noise(whole), fraction, samples_});
-  if (!stays()) {
-    found_ = {};
-    film_.reset();
-  }
+}
+
+void DivisionPilot::close() {
   omc_.reset();
+  if (stays()) return;
+  found_ = {};
+  film_.reset();
 }
 
 void DivisionPilot::hand_over(Film& film) {

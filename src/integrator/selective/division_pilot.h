@@ -37,8 +37,16 @@ class DivisionPilot final : public PreparationStage, public OutlierSinkFactory {
   }
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
+  /// Decides with the regions that `prepared` has by then.
   void end() override;
   std::unique_ptr<OutlierSink> make(Film& film, Counters& counters) const override;
+  /// After `end`: tests whether more regions might make chains pay.
+  bool wants_regions() const;
+  /// Decides anew, with other regions, for the halves for which there is hope. The others keep to
+  /// what their samples have decided: whether regions were looked at is up to both.
+  void refine();
+  /// After the last decision.
+  void close();
   /// Puts its samples on the film, divided as `prepared` has it by then.
   void hand_over(Film& film) override;
 
@@ -61,12 +69,16 @@ class DivisionPilot final : public PreparationStage, public OutlierSinkFactory {
   /// Replicates from which the division of a half is decided.
   std::vector<int> seen_by(std::size_t half) const;
   PilotView view(std::vector<int> replicates) const;
+  RegionChoice choose(std::size_t half) const;
   Division division_of(const RegionChoice& choice) const;
+  void conclude(std::vector<RegionChoice> choices);
 
   const SelectivePreparation& prepared_;
   SeedReservoir& reservoir_;
   std::uint64_t samples_ = 0;  ///< per pixel
-  float threshold_ = 0.F;      ///< energy below which paths are kept by Russian roulette
+  /// Ordinary Monte Carlo alone would find all light, and the user has set nothing.
+  bool may_disable_chains_ = false;
+  float threshold_ = 0.F;  ///< energy below which paths are kept by Russian roulette
   std::unique_ptr<Integrator> omc_;
   std::unique_ptr<Film> film_;
   std::atomic<std::uint64_t> rays_{0};

@@ -53,6 +53,13 @@ struct SelectiveHeuristics {
   /// 0.127 without. 0.9 before.
   static constexpr double kClearGain = 0.7;
 
+  // -------------------------------------------------------- pilot of the brightness
+  /// Squares with a camera sample each that tell the brightness of a picture, unless they were wider
+  /// than ImageHeuristics::kImportanceBlur.
+  /// Unit: samples. Range: >= 1. Source: docs/notebook/selective.md, "What a preparation costs": as
+  /// many as told the unit of sums before; half and double not measured.
+  static constexpr std::uint64_t kBrightnessSamples = 4096;
+
   // -------------------------------------------------------- pilots of techniques and of roulette
   /// Places on the film with two camera samples each.
   /// Unit: places. Range: a multiple of 16. Source: docs/notebook/selective.md, "Half and double".
@@ -63,6 +70,11 @@ struct SelectiveHeuristics {
   /// bdpt 4 has 0.69 of the error on floor-lamps; on cornell differences of 1.1 are not those of
   /// time.
   static constexpr double kClearlyFaster = 1.2;
+  /// Variance that Sobol' points leave of what camera paths bring alone. Light subpaths have points
+  /// of the whole picture, which are as independent ones in a pixel.
+  /// Unit: variance over that of independent points. Range: (0, 1]. Source:
+  /// docs/notebook/selective.md, "Which techniques": 0.69 to 1.03 with `pt`.
+  static constexpr double kLeftBySobol = 0.85;
   /// The price that these pilots have, which is their Λ: what it is about in most scenes, so that
   /// roulette is much as it will be.
   /// Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Which rays are traced": it

@@ -27,6 +27,13 @@ ChosenTechniques choose_techniques(const SelectiveConfig& config, const PathFami
   return chosen;
 }
 
+double effort_of(const PathFamilyDefaults& omc) {
+  constexpr double kOfLight = SelectiveHeuristics::kEffortOfLight;
+  const TechniqueSet set = TechniqueSet::parse(omc.techniques);
+  const bool has_light = set.any(TechniqueClass::Light) || set.any(TechniqueClass::Inner);
+  return (1.0 - kOfLight) + (has_light ? kOfLight * omc.light_paths_per_pixel : 0.0);
+}
+
 SelectivePreparation::SelectivePreparation(SelectiveConfig the_config)
     : config(std::move(the_config)),
       view(config.view),

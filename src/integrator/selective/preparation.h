@@ -91,11 +91,8 @@ struct SelectivePreparation {
                                        PathIntegratorContext context = {}) const;
 };
 
-/// Camera samples that one with so many light subpaths costs, relative to one with a single one.
-inline double effort_with(double light_paths_per_pixel) {
-  constexpr double kOfLight = SelectiveHeuristics::kEffortOfLight;
-  return (1.0 - kOfLight) + kOfLight * light_paths_per_pixel;
-}
+/// Cost of a camera sample with all its light subpaths, relative to one with a single one.
+double effort_of(const PathFamilyDefaults& omc);
 
 /// Bounds on mutations per pixel and sample: neither estimator starves.
 constexpr double kMostMutations = 1.0 / SelectiveHeuristics::kFewestMutations;

@@ -168,16 +168,6 @@ double gain_of_chains(const PilotView& view, const std::vector<double>& threshol
 /// without, the picture would have the noise of the one at the cost of the other.
 double trust_in(double gain) { return std::max(0.0, 1.0 - gain / SelectiveHeuristics::kClearGain); }
 
-/// Noise of each region, for statistics.
-std::vector<float> region_noise(const PilotView& view) {
-  std::vector<float> noise;
-  for (const RegionNoise& region :
-       aggregate_noise(pilot_noise(view), view.regions(), RegionMapSettings{}.threshold)) {
-    noise.push_back(region.fill());
-  }
-  return noise;
-}
-
 }  // namespace
 
 Plane pilot_noise(const PilotView& view) {
@@ -202,10 +192,13 @@ RegionChoice choose_regions(const PilotView& view) {
     choice.expected_error =
         gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kDisplayWhite, true});
     trust = trust_in(choice.expected_error);
-    choice.fireflies_only =
-        trust == 0.0 &&
-        gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kFireflyClamp, false}) >=
-            SelectiveHeuristics::kClearGain;
+    choice.hoped_error = choice.expected_error;
+    if (trust == 0.0) {
+      choice.hoped_error = std::min(
+          choice.expected_error,
+          gain_of_chains(view, thresholds, costs, {SelectiveHeuristics::kFireflyClamp, false}));
+    }
+    choice.fireflies_only = *choice.hoped_error >= SelectiveHeuristics::kClearGain;
   }
   std::vector<std::size_t> chosen = best.chosen;
   const auto fixed = config.regions.fixed_weights(view.regions(), config.scene, 0.F);
@@ -219,8 +212,24 @@ RegionChoice choose_regions(const PilotView& view) {
         {static_cast<float>(threshold * view.prepared.brightness), weight, weight});
     choice.fireflies_only = choice.fireflies_only && !fixed[r];
   }
-  choice.noise = region_noise(view);
   return choice;
+}
+
+RegionChoice without_chains(RegionChoice choice, std::size_t regions) {
+  PixelDivision nothing = choice.regions.front();
+  nothing.target_scale = 0.F;
+  nothing.deposit_scale = 0.F;
+  choice.regions.assign(regions, nothing);
+  return choice;
+}
+
+Surfaces one_region(const Box2i& crop) {
+  const Vec2i size = crop.size() + Vec2i(1, 1);
+  Surfaces surfaces{.regions = {}, .edges = Plane(size)};
+  const auto pixels = surfaces.edges.values.size();
+  surfaces.regions = {
+      size, std::vector<std::uint32_t>(pixels), {{}}, {static_cast<std::uint32_t>(pixels)}};
+  return surfaces;
 }
 
 }  // namespace ajar

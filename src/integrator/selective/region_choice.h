@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,16 +42,28 @@ struct PilotView {
 /// Division of the regions of a picture.
 struct RegionChoice {
   std::vector<PixelDivision> regions;
-  std::vector<float> noise;  ///< noise of each region (region_map.h)
   /// Predicted error with chains over that without, with 8 C and without the most favourable camera
   /// sample.
   double expected_error = 1.0;
+  /// The least that luck may make of it: with that sample, and fireflies as bright as they are.
+  /// Empty where the pilot has found nothing for chains, which tells nothing.
+  std::optional<double> hoped_error;
   /// Chains would only cost: they have the highest threshold everywhere.
   bool fireflies_only = false;
+
+  /// Chains might pay, and more so where each region chooses.
+  bool has_hope() const { return hoped_error && *hoped_error < 1.0; }
+  /// Chains would not pay, however lucky.
+  bool is_hopeless() const { return hoped_error && *hoped_error >= 1.0; }
 };
 
 /// Division of least predicted error (optimal_thresholds.h); the user's rules have the last word.
 RegionChoice choose_regions(const PilotView& view);
+/// A choice for `regions` of them, of which chains make nothing.
+RegionChoice without_chains(RegionChoice choice, std::size_t regions);
+
+/// The whole picture in one piece.
+Surfaces one_region(const Box2i& crop);
 
 /// Impulse noise of the indirect light that the replicates show.
 Plane pilot_noise(const PilotView& view);

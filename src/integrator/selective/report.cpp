@@ -6,6 +6,7 @@
 
 #include "integrator/metropolis/chain_report.h"
 #include "integrator/regions/region_layers.h"
+#include "integrator/regions/region_map.h"
 #include "integrator/selective/chain_walker.h"
 
 namespace ajar {
@@ -70,16 +71,12 @@ MethodReport report_halves(const SelectivePreparation& prepared, const DivisionR
   return halves;
 }
 
-/// Noise of each region, the mean over the halves.
-std::vector<double> region_noise(const DivisionResult& division) {
-  std::vector<double> noise(division.choices.front().noise.size());
-  for (const RegionChoice& choice : division.choices) {
-    for (std::size_t r = 0; r < noise.size(); ++r) {
-      noise[r] +=
-          static_cast<double>(choice.noise[r]) / static_cast<double>(division.choices.size());
-    }
+std::vector<double> region_noise(const Plane& noise, const Regions& regions) {
+  std::vector<double> result;
+  for (const RegionNoise& region : aggregate_noise(noise, regions, RegionMapSettings{}.threshold)) {
+    result.push_back(static_cast<double>(region.fill()));
   }
-  return noise;
+  return result;
 }
 
 MethodReport report_division(const SelectiveStatus& status) {
@@ -111,7 +108,8 @@ MethodReport report_division(const SelectiveStatus& status) {
             {"squared_error_share", or_null(omc_error)}}},
           {"region_count", surfaces.regions.count()},
           {"regions", report_regions(prepared.scene(), surfaces.regions,
-                                     region_noise(*status.division), chain_importance(prepared))}};
+                                     region_noise(status.division->noise, surfaces.regions),
+                                     chain_importance(prepared))}};
 }
 
 }  // namespace
@@ -126,15 +124,16 @@ std::vector<std::string> notes_on(const SelectiveStatus& status) {
             "; for Markov chains, begin anew with more " + (of_time ? "time" : "samples")};
   }
   if (!(prepared.brightness > 0.0)) return {"no light found: rendered by plain " + omc};
+  const std::string easy = "no difficult light found: rendered by plain " + omc;
+  if (prepared.mutations == 0.0 && prepared.config.chooses_division) return {easy};
   if (prepared.mutations == 0.0) {
     return {"no light is left to Markov chains: rendered by plain " + omc};
   }
   if (prepared.fireflies_only) {
-    return {"no difficult light found: rendered by plain " + omc +
-            "; Markov chains only take stray bright dots"};
+    return {easy + "; Markov chains only take stray bright dots"};
   }
   if (!are_lit(status.populations)) {
-    return {"no difficult light found: rendered by plain " + omc + " until some is"};
+    return {easy + " until some is"};
   }
   const std::string difficult = "difficult light (caustics, light through gaps)";
   if (status.division == nullptr) {

@@ -27,14 +27,25 @@ namespace ajar {
 
 namespace {
 
+/// Tests for surfaces that are asked for, wherever chains pay.
+bool shows_surfaces(const SelectiveConfig& config) {
+  const std::vector<std::string>& aovs = config.settings.aovs;
+  return config.antialias || !config.regions.empty() ||
+         std::any_of(kRegionLayers.begin(), kRegionLayers.end(), [&](const char* layer) {
+           return std::find(aovs.begin(), aovs.end(), layer) != aovs.end();
+         });
+}
+
 /// The method, stage by stage:
 ///
-///     brightness   a sample per pixel: the importance map, the scale of thresholds
+///     brightness   a sample of each square of pixels: the importance map, the scale of thresholds
 ///     dark         if that was black: samples with manifold connections
 ///     techniques   which techniques ordinary Monte Carlo and chains share, and how many light
-///     paths roulette     the price of a ray surfaces     the regions of the picture division the
-///     first samples of the render: which light is for chains (region_choice.h);
+///                  paths
+///     roulette     the price of a ray
+///     division     the first samples of the render: which light is for chains (region_choice.h);
 ///                  what they leave to chains seeds these
+///     surfaces     where chains might pay: the regions of the picture, each divided by itself
 ///     render       samples and mutations, side by side, in epochs. At the end of each the seeds
 ///                  found meanwhile are merged into the chains (SeedReservoir), and effort is
 ///                  shared anew (SampleAllocation, AdaptiveSampling).
@@ -79,11 +90,14 @@ class SelectiveIntegrator final : public Integrator {
   void take_dark(DarkPilot& pilot);
   void take_techniques(TechniquePilot& pilot);
   void take_roulette(RoulettePilot& pilot) { prepared_.ray_price = pilot.price(); }
-  void take_surfaces(SurfacePilot& pilot) { prepared_.surfaces = pilot.take(); }
+  void take_surfaces(SurfacePilot& pilot);
   void take_division(DivisionPilot& pilot);
+  void add_surfaces();
+  void divide();
   /// Mutations per camera sample until errors of the render are known.
   double first_mutations() const;
   PreparationRound describe(const PreparationStage& stage, std::uint64_t items) const;
+  void leave_nothing_to_chains();
   void end_preparation();
   /// Renders without chains.
   void disable_chains(std::optional<PreparationCut> preparation_cut);
@@ -135,8 +149,8 @@ SelectiveIntegrator::SelectiveIntegrator(const Scene& scene, const RenderSetting
   if (prepared_.config.efficient_roulette) {
     add_stage(std::make_unique<RoulettePilot>(prepared_), &SelectiveIntegrator::take_roulette);
   }
-  add_stage(std::make_unique<SurfacePilot>(scene, beside_chains(prepared_.config.settings)),
-            &SelectiveIntegrator::take_surfaces);
+  prepared_.surfaces = one_region(settings.crop);
+  if (shows_surfaces(prepared_.config)) add_surfaces();
   auto division = std::make_unique<DivisionPilot>(prepared_, *reservoir_);
   division_ = division.get();
   add_stage(std::move(division), &SelectiveIntegrator::take_division);
@@ -172,14 +186,42 @@ void SelectiveIntegrator::take_techniques(TechniquePilot& pilot) {
   }
 }
 
+void SelectiveIntegrator::add_surfaces() {
+  add_stage(
+      std::make_unique<SurfacePilot>(prepared_.scene(), beside_chains(prepared_.config.settings)),
+      &SelectiveIntegrator::take_surfaces);
+}
+
+void SelectiveIntegrator::take_surfaces(SurfacePilot& pilot) {
+  prepared_.surfaces = pilot.take();
+  if (!division_->result()) return;
+  division_->refine();
+  divide();
+}
+
 void SelectiveIntegrator::take_division(DivisionPilot& pilot) {
+  if (pilot.wants_regions() && !shows_surfaces(prepared_.config)) {
+    add_surfaces();
+  } else {
+    divide();
+  }
+}
+
+void SelectiveIntegrator::divide() {
+  DivisionPilot& pilot = *division_;
+  pilot.close();
   const DivisionResult& result = *pilot.result();
+  if (pilot.stays()) prepared_.pilot_kept = result.samples;
+  prepared_.pilot_tried = result.samples * prepared_.pixels();
+  if (result.divisions.take_nothing()) {
+    prepared_.mutations = 0.0;
+    leave_nothing_to_chains();
+    return;
+  }
   const Divisions before = *std::exchange(prepared_.divisions, result.divisions);
   reservoir_->divide_anew(before);
   prepared_.fireflies_only = result.fireflies_only;
-  prepared_.mutations = result.divisions.take_nothing() ? 0.0 : clamp_mutations(first_mutations());
-  if (pilot.stays()) prepared_.pilot_kept = result.samples;
-  prepared_.pilot_tried = result.samples * prepared_.pixels();
+  prepared_.mutations = clamp_mutations(first_mutations());
   populations_ = make_populations<ChainPopulation>(
       prepared_.groups(), prepared_.config.settings.replicates, prepared_.config.settings.seed);
   if (pilot.stays()) {
@@ -213,12 +255,11 @@ PreparationRound SelectiveIntegrator::begin_preparation(int round) {
 
 PreparationRound SelectiveIntegrator::describe(const PreparationStage& stage,
                                                std::uint64_t items) const {
-  PreparationRound round{
-      .items = items,
-      .effort = stage.effort(),
-      .stays = stage.stays(),
-      .serves_alone = stage.serves_alone(),
-      .sample_effort = effort_with(prepared_.techniques.omc.light_paths_per_pixel)};
+  PreparationRound round{.items = items,
+                         .effort = stage.effort(),
+                         .stays = stage.stays(),
+                         .serves_alone = stage.serves_alone(),
+                         .sample_effort = effort_of(prepared_.techniques.omc)};
   for (std::size_t i = stage_ + 1; i < stages_.size(); ++i) {
     const PreparationStage& later = *stages_[i].run;
     round.later_effort += later.effort();
@@ -244,12 +285,7 @@ void SelectiveIntegrator::disable_chains(std::optional<PreparationCut> preparati
   if (!is_kept) prepared_.scale.reset();
   prepared_.mutations = 0.0;
   prepared_.pilot_kept = is_kept ? division_->result()->samples : 0;
-  if (prepared_.config.has_long_paths()) {
-    prepared_.divisions.emplace(
-        Division(prepared_.config.settings.crop,
-                 {{.threshold = 0.F, .target_scale = 0.F, .deposit_scale = 0.F}},
-                 prepared_.view.importance));
-  }
+  if (prepared_.config.has_long_paths()) leave_nothing_to_chains();
   // The running stage is one of them.
   if (!is_kept) division_ = nullptr;
   stage_ = stages_.size();
@@ -258,11 +294,14 @@ void SelectiveIntegrator::disable_chains(std::optional<PreparationCut> preparati
   make_omc();
 }
 
+void SelectiveIntegrator::leave_nothing_to_chains() {
+  prepared_.divisions.emplace(Division(
+      prepared_.config.settings.crop,
+      {{.threshold = 0.F, .target_scale = 0.F, .deposit_scale = 0.F}}, prepared_.view.importance));
+}
+
 void SelectiveIntegrator::end_preparation() {
-  if (prepared_.mutations == 0.0) {
-    reservoir_.reset();
-    populations_.clear();
-  }
+  if (prepared_.mutations == 0.0) reservoir_.reset();
   make_omc();
   scheduler_.list();
   if (reservoir_) begin_epoch();

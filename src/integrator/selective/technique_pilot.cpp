@@ -148,11 +148,11 @@ void TechniquePilot::end() {
   const std::vector<PathFamilyDefaults> offers = technique_offers();
   std::vector<double> errors;  // after equal time
   for (std::size_t i = 0; i < offers.size(); ++i) {
-    errors.push_back(all.errors.variance(i) *
+    errors.push_back(all.errors.variance(i, SelectiveHeuristics::kLeftBySobol) *
                      rays_with(relative_counts(offers[i]), all.rays, all.rays_by_use));
   }
   const double least = *std::min_element(errors.begin(), errors.end());
-  if (!(least > 0.0 && std::isfinite(least))) return;
+  if (!(least >= 0.0 && std::isfinite(least))) return;
   for (std::size_t i = 0; i < offers.size() && !chosen_; ++i) {
     if (errors[i] <= SelectiveHeuristics::kClearlyFaster * least) chosen_ = offers[i];
   }

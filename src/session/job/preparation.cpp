@@ -12,10 +12,14 @@
 
 namespace ajar {
 
-double Preparation::deadline(bool stays) const {
+double Preparation::limit(bool stays) const {
   if (!limits_.seconds) return std::numeric_limits<double>::infinity();
   return *limits_.seconds *
          (stays ? SessionHeuristics::kMostOfTimeForPicture : SessionHeuristics::kMostOfTime);
+}
+
+double Preparation::deadline(bool stays) const {
+  return stays ? limit(true) : std::min(limit(true), limit(false) + seconds_kept_);
 }
 
 PreparationEnd Preparation::must_stop(double deadline) const {
@@ -54,7 +58,7 @@ PreparationEnd Preparation::must_skip(const PreparationRound& next) const {
   if (reason == PreparationEnd::Done && over_ > 0.0) {
     const auto [all, lost] = efforts_with(next);
     const double per_effort = seconds() / over_;
-    if (per_effort * lost > deadline(false) || per_effort * all > deadline(true)) {
+    if (per_effort * lost > limit(false) || per_effort * all > limit(true)) {
       reason = PreparationEnd::NoTime;
     }
   }
@@ -115,7 +119,10 @@ Counters Preparation::run() {
       return whole;
     }
     over_ = over_ + next.effort;
-    if (next.stays) stays_ += next.effort;
+    if (next.stays) {
+      stays_ += next.effort;
+      seconds_kept_ += seconds() - round_began_;
+    }
     running_ = 0.0;
     ++rounds_;
   }

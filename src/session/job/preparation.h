@@ -66,7 +66,9 @@ class Preparation {
   double seconds() const { return limits_.clock ? limits_.clock() - began_ : clock_.seconds(); }
 
  private:
-  /// When to have ended, seconds.
+  /// Seconds for all rounds, or for those that are not kept.
+  double limit(bool stays) const;
+  /// When a round is to have ended, seconds. Rounds that are kept do not count against others.
   double deadline(bool stays) const;
   /// Why to stop at once, if it is to end then; `Done`: not at all.
   PreparationEnd must_stop(double deadline) const;
@@ -94,8 +96,9 @@ class Preparation {
   const double began_;  ///< by the limits' clock
   PreparationEnd end_ = PreparationEnd::Done;
   std::uint64_t rounds_ = 0;
-  double stays_ = 0.0;        ///< effort, of rounds that are over
-  double round_began_ = 0.0;  ///< seconds
+  double stays_ = 0.0;         ///< effort, of rounds that are over
+  double seconds_kept_ = 0.0;  ///< time of rounds that are over
+  double round_began_ = 0.0;   ///< seconds
   // Efforts: of rounds that are over, of the one that runs, and of all.
   std::atomic<double> over_{0.0};
   std::atomic<double> running_{0.0};

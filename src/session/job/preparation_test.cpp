@@ -33,12 +33,12 @@ class Prepared final : public Integrator {
     }
     PreparationRound next{.items = 10,
                           .effort = efforts_[i],
-                          .stays = stays_from <= i,
+                          .stays = stays(i),
                           .serves_alone = serves_alone,
                           .sample_effort = sample_effort};
     for (std::size_t j = i + 1; j < efforts_.size(); ++j) {
       next.later_effort += efforts_[j];
-      if (stays_from <= j) next.later_kept_effort += efforts_[j];
+      if (stays(j)) next.later_kept_effort += efforts_[j];
     }
     return next;
   }
@@ -70,12 +70,15 @@ class Prepared final : public Integrator {
   bool skipped = false;
   PreparationCut preparation_cut = PreparationCut::Time;
   std::size_t stays_from = 1000;  ///< round
+  std::size_t stays_until = 1000;
   double sample_effort = 1.0;
   bool has_looks = false;
   bool serves_alone = false;
   std::function<void(int round)> on_item;
 
  private:
+  bool stays(std::size_t round) const { return stays_from <= round && round < stays_until; }
+
   std::vector<double> efforts_;
   int looks_ = 0;
 };
@@ -108,6 +111,20 @@ TEST(Preparation, TellsHowMuchOfTheEffortIsOver) {
   EXPECT_LE(most[0], 0.25);
   EXPECT_GT(most[1], 0.5);
   EXPECT_EQ(preparation.fraction_done(), 1.0);
+}
+
+/// A round after one that took 30 of 100 seconds: of what is thrown away, 25 are allowed.
+TEST(Preparation, TimeOfRoundsThatAreKeptDoesNotCountAgainstOthers) {
+  for (const bool is_kept : {false, true}) {
+    Prepared integrator({3.0, 1.0});
+    integrator.stays_from = 0;
+    integrator.stays_until = is_kept ? 1 : 0;
+    std::atomic<int> now{0};
+    integrator.on_item = [&](int round) { now += round == 0 ? 3 : 1; };
+    Preparation preparation(integrator, {.seconds = 100.0, .clock = [&] { return now.load(); }});
+    preparation.run();
+    EXPECT_EQ(integrator.is_ready, is_kept);
+  }
 }
 
 TEST(Preparation, IsSkippedWhenTheUserWantsToStop) {
