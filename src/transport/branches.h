@@ -6,8 +6,8 @@
 
 namespace ajar {
 
-/// Which of several samples a camera path is at each vertex where it was split. It names the
-/// random numbers of the vertices from there on, so that a path can be traced again by itself.
+/// Place of a camera path among the samples of each vertex where it was split. It names the random
+/// numbers of the vertices from there on, so that a path can be traced again by itself.
 class Branches {
  public:
   /// Paths are split at no more vertices than that.

@@ -292,7 +292,7 @@ class PathSampler {
   std::vector<MisTrailEntry> camera_trail_;
   std::vector<MisTrailEntry> light_trails_;
   ByTechniqueClass<float> shares_{};  ///< shares of the last MIS weight
-  Branches branches_;                 ///< of the current camera subpath
+  Branches branches_;                 ///< place of the current camera subpath
   bool learns_ = false;               ///< cells are told of it
   std::vector<Departure> departures_;
   RayCounts rays_;

@@ -71,8 +71,8 @@ void arrive(const WalkSettings& settings, const Flight& flight, const SegmentEnd
 MisStep mis_step(const Flight& flight, const Segment& segment, float distance, float cosine_at_end,
                  const MediumPoint& end, bool at_infinity, double class_coefficient);
 
-/// What a direction is worth: samples per unit of throughput, by rough lobes and by specular ones;
-/// 0 where it is not known (`EfficiencyCells`).
+/// Worth of a direction, samples per unit of throughput, by rough lobes and by specular ones; 0
+/// where it is not known (`EfficiencyCells`).
 using WorthOfDirection = std::array<float, 2>;
 
 /// Scatters at `vertex` and sets off again; false if the subpath ends (absorbed, or Russian

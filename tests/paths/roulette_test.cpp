@@ -69,7 +69,7 @@ void claim(EfficiencyCells& cells, double rest, double whole) {
 
 struct Result {
   ByDepth light;
-  double contributions = 0.0;  ///< of a sample
+  double contributions = 0.0;  ///< mean over samples
 };
 
 Result sampled(const Scene& scene, const std::string& techniques, EfficiencyCells* cells,

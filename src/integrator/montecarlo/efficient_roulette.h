@@ -43,7 +43,7 @@ class EfficientRoulette {
   void save_state(OutputArchive& archive) const;
   /// Raises a std::exception if the bytes make no sense.
   void load_state(InputArchive& archive);
-  /// As `EfficiencyCells` has them.
+  /// The same of its sums, as of those of cells (`EfficiencyCells`).
   void export_delta(OutputArchive& archive);
   void import_delta(InputArchive& archive);
 
@@ -59,7 +59,7 @@ class EfficientRoulette {
   std::vector<float> worths_;  ///< importance / price, pixel by pixel; empty if not known
   std::atomic<std::uint64_t> rays_{0};
   std::atomic<std::uint64_t> samples_{0};
-  Counts known_;  ///< of all processes
+  Counts known_;  ///< counts of all processes
 };
 
 }  // namespace ajar

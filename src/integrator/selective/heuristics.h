@@ -54,10 +54,10 @@ struct SelectiveHeuristics {
   static constexpr double kClearGain = 0.7;
 
   // -------------------------------------------------------- pilot of the brightness
-  /// Squares with a camera sample each that tell the brightness of a picture, unless they were wider
-  /// than ImageHeuristics::kImportanceBlur.
-  /// Unit: samples. Range: >= 1. Source: docs/notebook/selective.md, "What a preparation costs": as
-  /// many as told the unit of sums before; half and double not measured.
+  /// Squares with a camera sample each that tell the brightness of a picture, unless they were
+  /// wider than ImageHeuristics::kImportanceBlur. Unit: samples. Range: >= 1. Source:
+  /// docs/notebook/selective.md, "What a preparation costs": as many as told the unit of sums
+  /// before; half and double not measured.
   static constexpr std::uint64_t kBrightnessSamples = 4096;
 
   // -------------------------------------------------------- pilots of techniques and of roulette
