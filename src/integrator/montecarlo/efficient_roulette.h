@@ -43,7 +43,7 @@ class EfficientRoulette {
   void save_state(OutputArchive& archive) const;
   /// Raises a std::exception if the bytes make no sense.
   void load_state(InputArchive& archive);
-  /// The same of its sums, as of those of cells (`EfficiencyCells`).
+  /// Sums since the last exchange, as `EfficiencyCells` has them.
   void export_delta(OutputArchive& archive);
   void import_delta(InputArchive& archive);
 
