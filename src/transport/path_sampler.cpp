@@ -7,8 +7,12 @@ namespace ajar {
 PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings)
     : scene_(scene),
       settings_(settings),
-      camera_walk_{TransportMode::Radiance, Stream::Camera, settings.heuristic,
-                   settings.roulette_start, settings.techniques.needs_light_subpath()},
+      camera_walk_{TransportMode::Radiance,
+                   Stream::Camera,
+                   settings.heuristic,
+                   settings.roulette_start,
+                   settings.techniques.needs_light_subpath(),
+                   settings.camera_rest > 0.F},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
                   settings.roulette_start, true},
       only_depth_(settings.min_depth == settings.max_depth && !settings.shares_by_class

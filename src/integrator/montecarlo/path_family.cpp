@@ -85,10 +85,12 @@ class PathIntegrator final : public Integrator {
 
   bool keeps_state() const override { return roulette_ != nullptr; }
   void save_state(OutputArchive& archive) const override {
+    if (!roulette_) return;
     archive(doubled_at_);
     roulette_->save_state(archive);
   }
   void load_state(InputArchive& archive, std::uint64_t samples) override {
+    if (!roulette_) return;
     archive(doubled_at_);
     if (doubled_at_ > samples) throw std::runtime_error("corrupt checkpoint: wrong pass");
     roulette_->load_state(archive);
