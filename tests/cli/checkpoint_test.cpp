@@ -223,7 +223,7 @@ TEST_F(CheckpointCli, InterruptsWriteThePictureAndTheCheckpoint) {
 TEST_F(CheckpointCli, AnInterruptedPreparationLeavesAPictureAndNoCheckpoint) {
   const std::vector<std::string> arguments = {"render",       "builtin:cornell",
                                               "--integrator", "selective",
-                                              "--resolution", "320x200",
+                                              "--resolution", "640x400",
                                               "--spp",        "1000",
                                               "--threads",    "1",
                                               "--progress",   "json",
