@@ -11,7 +11,6 @@ enum class RandomUse : std::uint64_t {
   LightSubpaths = 0x11987,  ///< light subpaths of a replicate
   LightScramble = 0x1e45,   ///< their points
   PictureScale = 0x9170,    ///< samples for the brightness of the picture
-  SampleRates = 0x4a7e5,    ///< rounding of camera samples per pixel
   StrongCameraPath = 0x57706,
   StrongLightPath = 0x57707,
   // Markov chains.

@@ -14,7 +14,6 @@ bool is_named(RandomUse use) {
     case RandomUse::LightSubpaths:
     case RandomUse::LightScramble:
     case RandomUse::PictureScale:
-    case RandomUse::SampleRates:
     case RandomUse::StrongCameraPath:
     case RandomUse::StrongLightPath:
     case RandomUse::Bootstrap:

@@ -16,10 +16,6 @@ double visible_error(double variance) { return std::pow(variance, kExponent); }
 
 double variance_of(double visible_error) { return std::pow(visible_error, 1.0 / kExponent); }
 
-double samples_for(double mean_visible_error) {
-  return std::pow(mean_visible_error, 1.0 / (1.0 + kExponent));
-}
-
 double mutations_of_least_visible_error(std::span<const double> omc, std::span<const double> chains,
                                         double usual, double sample_cost, double mutation_cost,
                                         double lowest, double highest) {

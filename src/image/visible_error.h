@@ -14,10 +14,6 @@ double visible_error(double variance);
 /// The inverse.
 double variance_of(double visible_error);
 
-/// Samples for a part of the picture in which one sample leaves `visible_error`s of this mean, up
-/// to a common factor: n samples leave (σ²/n)^0.35.
-double samples_for(double mean_visible_error);
-
 /// Mutations per sample of the whole picture, among `lowest`, `lowest`·√2, … up to `highest`, that
 /// make the sum of the visible errors of V_j/n + K_j/n · `usual`/N smallest after a given time for
 /// n samples. `omc`: V_j, variance of one sample of ordinary Monte Carlo in pixel j. `chains`: K_j,

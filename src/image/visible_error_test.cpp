@@ -69,19 +69,6 @@ TEST(VisibleError, IsNotDecidedByTheWorstPixel) {
   expect_near(found, slowly_found_ratio({99.0, 1.0}, {1.0, 1.0}, {0.0, 1e4}, 1.0, 1.0, 1.0));
 }
 
-TEST(VisibleError, OfTwoPartsIsLeastWithSamplesFor) {
-  // The first has a third of the pixels.
-  const double first = 1.0;
-  const double second = 9.0;
-  const auto error = [&](double of_first) {
-    const double of_second = (1.0 - of_first / 3.0) * 1.5;
-    return visible_error(first / of_first) + 2.0 * visible_error(second / of_second);
-  };
-  const double ratio = samples_for(visible_error(first)) / samples_for(visible_error(second));
-  const double deserved = 3.0 * ratio / (ratio + 2.0);
-  for (const double other : {0.9, 1.1}) EXPECT_LT(error(deserved), error(deserved * other));
-}
-
 TEST(VisibleError, StaysWithinItsBounds) {
   EXPECT_EQ(best_ratio({1.0, 1.0}, {0.0, 0.0}), kLowest);
   EXPECT_GT(best_ratio({0.0, 0.0}, {1.0, 1.0}, 1.0, 1e18), kHighest / 2.0);

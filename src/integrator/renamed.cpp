@@ -63,6 +63,7 @@ constexpr std::array kParameters = std::to_array<Renamed>({
     {"direct", "", "mmlt, whose chains make all light"},
     {"split", "0", "mmlt, whose chains make all light"},
     {"omc-samples", "", "nothing: effort is shared by what errors show"},
+    {"samples", "", "nothing: all pixels have as many camera samples"},
     {"bidirectional", "", kMutations},
     {"lens-subpath", "", kMutations},
     {"lens", "", kMutations},

@@ -93,7 +93,6 @@ const std::vector<Variant>& variants() {
        "selective",
        {{"split", "0.5"},
         {"importance", "uniform"},
-        {"samples", "uniform"},
         {"roulette", "usual"},
         {"objective", "raw"}},
        {"Mirror", "MilkBall", "RoughGlass"}},

@@ -27,7 +27,7 @@ struct Method {
   std::map<std::string, std::string> parameters;
 };
 
-/// Everything that methods keep: chains, seeds, sample rates, prices; and maps of visits.
+/// Everything that methods keep: chains, seeds, prices; and maps of visits.
 std::vector<Method> methods() {
   std::vector<Method> methods;
   for (const std::string& name :

@@ -43,9 +43,11 @@ TEST(BlackPilot, LeavesThePictureRightOnAverage) {
   options.replicates = 4;
   options.min_depth = options.max_depth = 3;
   // By the technique that seldom finds it: of the 96 samples of the first pilot, hardly ever one.
-  options.parameters = {{"techniques", "implicit"}, {"regions", rules.path()},
-                        {"importance", "uniform"},  {"pilot", "discard"},
-                        {"roulette", "usual"},      {"samples", "uniform"}};
+  options.parameters = {{"techniques", "implicit"},
+                        {"regions", rules.path()},
+                        {"importance", "uniform"},
+                        {"pilot", "discard"},
+                        {"roulette", "usual"}};
   int renders = 0;
   int black = 0;
   int with_chains = 0;

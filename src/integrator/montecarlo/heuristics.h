@@ -6,16 +6,6 @@ namespace ajar {
 
 /// The fitted numbers of the wing, beside parameters, which declare their own ranges.
 struct MonteCarloHeuristics {
-  // -------------------------------------------------------- rates of camera samples
-  /// Squares of the picture that have one rate, which is found over them and those around: four
-  /// replicates tell little of one pixel.
-  /// Unit: pixels across. Range: >= 1. Source: docs/notebook/selective.md, "Where camera samples
-  /// go"; half and double not measured.
-  static constexpr int kRateCell = 4;
-  /// Bound of the rates that a few samples suggest, above and below (its inverse).
-  /// Unit: rate over the mean rate. Range: >= 1. Source: docs/notebook/selective.md, "Constants".
-  static constexpr double kMostRate = 8.0;
-
   // -------------------------------------------------------- errors of pixels
   /// Trimming of variances: the worst of so many pixels are left out, since chains' errors are in
   /// few. Unit: pixels. Range: > 1. Source: 3ed3aa3: trials on door-ajar, torus-in-glass, pool and

@@ -34,7 +34,6 @@ class PathIntegrator final : public Integrator {
         settings_(settings),
         divisions_(context.divisions),
         strong_(context.strong),
-        rates_(context.rates),
         price_(context.price),
         joins_by_manifolds_(context.joins_by_manifolds),
         sampler_settings_(sampler_settings(settings, parameters)),
@@ -124,12 +123,11 @@ class PathIntegrator final : public Integrator {
     std::uint64_t own_samples = 0;
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
-        std::uint64_t camera_samples = 0;
         for (std::uint64_t i = first_sample; i < first_sample + samples; ++i) {
-          camera_samples += sample_pixel({x, y}, i, film, sampler, sink, strong.get());
+          sample_pixel({x, y}, i, film, sampler, sink, strong.get());
         }
-        sink.end_pixel(camera_samples);
-        own_samples += camera_samples;
+        sink.end_pixel(samples);
+        own_samples += samples;
       }
     }
     sink.end();
@@ -152,12 +150,6 @@ class PathIntegrator final : public Integrator {
   /// The picture's samples take turns: number i belongs to replicate i mod R and is number i / R of
   /// those there.
   std::uint64_t replicates() const { return static_cast<std::uint64_t>(settings_.replicates); }
-
-  SampleRates::Batch camera_samples(Vec2i pixel, std::uint64_t replicate,
-                                    std::uint64_t round) const {
-    if (rates_ == nullptr) return {round, round + 1, 1.F};
-    return rates_->batch(pixel, replicate, round);
-  }
 
   /// Number within the image of a pixel's sample number `index`.
   std::uint64_t number_in_image(Vec2i pixel, std::uint64_t index) const {
@@ -202,38 +194,29 @@ class PathIntegrator final : public Integrator {
     }
   }
 
-  /// The share of a pixel in the picture's sample number `i`. Returns how many camera samples that
-  /// were.
-  std::uint64_t sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
-                             SampleSink& sink, OutlierSink* strong) const {
+  /// Sample number `i` of a pixel, and the light subpaths that belong to it.
+  void sample_pixel(Vec2i pixel, std::uint64_t i, const Film& film, PathSampler& sampler,
+                    SampleSink& sink, OutlierSink* strong) const {
     const std::uint64_t replicate = i % replicates();
-    const std::uint64_t round = i / replicates();
-    sink.begin_pixel(pixel, static_cast<int>(replicate),
-                     rates_ != nullptr && !light_alone_ ? rates_->light_weight() : 1.F,
-                     rates_ != nullptr ? rates_->guess(pixel) : SampleRates::Guess{});
-    const SampleRates::Batch batch = camera_samples(pixel, replicate, round);
-    for (std::uint64_t index = batch.first; index < batch.last; ++index) {
-      with_source(camera_identity(pixel, replicate, index), [&](SampleSource& source) {
-        const FilterSample filtered =
-            film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
-        const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
-        const std::uint64_t number = index * replicates() + replicate;
-        sink.begin_sample(raster, filtered.weight, batch.weight, number);
-        if (strong != nullptr) {
-          sink.begin_paths(
-              hash_numbers(settings_.seed, RandomUse::StrongCameraPath, pixel.x, pixel.y, number));
-        }
-        sampler.sample(source, raster, sink);
-        if (strong != nullptr) sink.hand_over(*strong, source);
-      });
-      sink.end_sample();
-    }
-    if (light_alone_) sample_light(replicate, number_in_image(pixel, round), sampler, sink, strong);
-    return batch.last - batch.first;
+    const std::uint64_t index = i / replicates();
+    sink.begin_pixel(pixel, static_cast<int>(replicate));
+    with_source(camera_identity(pixel, replicate, index), [&](SampleSource& source) {
+      const FilterSample filtered =
+          film.filter().sample(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
+      const Vec2 raster = Vec2(pixel) + Vec2(0.5F, 0.5F) + filtered.offset;
+      sink.begin_sample(raster, filtered.weight, i);
+      if (strong != nullptr) {
+        sink.begin_paths(
+            hash_numbers(settings_.seed, RandomUse::StrongCameraPath, pixel.x, pixel.y, i));
+      }
+      sampler.sample(source, raster, sink);
+      if (strong != nullptr) sink.hand_over(*strong, source);
+    });
+    sink.end_sample();
+    if (light_alone_) sample_light(replicate, number_in_image(pixel, index), sampler, sink, strong);
   }
 
-  /// The light subpaths that belong to number `number` of the pixels' shares in the picture's
-  /// samples.
+  /// The light subpaths that belong to number `number` of the picture's camera samples.
   void sample_light(std::uint64_t replicate, std::uint64_t number, PathSampler& sampler,
                     SampleSink& sink, OutlierSink* strong) const {
     const auto [first, last] = light_numbers(number);
@@ -264,7 +247,6 @@ class PathIntegrator final : public Integrator {
   RenderSettings settings_;
   const Divisions* divisions_;
   const OutlierSinkFactory* strong_;
-  const SampleRates* rates_;
   const RayPrice* price_;
   bool joins_by_manifolds_;
   PathSamplerSettings sampler_settings_;

@@ -5,7 +5,6 @@
 #include "integrator/integrator.h"
 #include "integrator/montecarlo/path_parameters.h"
 #include "integrator/montecarlo/ray_price.h"
-#include "integrator/montecarlo/sample_rates.h"
 #include "integrator/outlier_paths.h"
 #include "transport/path_sampler.h"
 
@@ -42,7 +41,6 @@ struct PathIntegratorContext {
   /// `kWeakLayer`.
   const Divisions* divisions = nullptr;
   const OutlierSinkFactory* strong = nullptr;  ///< see what it leaves to chains
-  const SampleRates* rates = nullptr;          ///< rates of camera samples; without, one per pixel
   const RayPrice* price = nullptr;             ///< saves rays by Russian roulette
   std::optional<PictureScale> scale{};         ///< measured unless it is known
   bool joins_by_manifolds = false;             ///< see `blind_spots`

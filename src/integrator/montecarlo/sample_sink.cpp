@@ -25,23 +25,16 @@ SampleSink::SampleSink(Film& film, const Divisions* divisions, const RayPrice* p
       seed_(seed),
       counters_(counters) {}
 
-void SampleSink::begin_pixel(Vec2i pixel, int replicate, float light_weight,
-                             const SampleRates::Guess& guess) {
+void SampleSink::begin_pixel(Vec2i pixel, int replicate) {
   pixel_ = pixel;
   replicate_ = replicate;
-  light_weight_ = light_weight;
-  guess_ = guess;
-  put(layers_.direct, guess_.direct);
-  put(layers_.indirect, guess_.indirect);
   division_ = divisions_ != nullptr ? &divisions_->of(replicate) : nullptr;
   if (division_ != nullptr && division_->takes_nothing()) division_ = nullptr;
 }
 
-void SampleSink::begin_sample(const Vec2& raster, float filter_weight, float weight,
-                              std::uint64_t sample) {
+void SampleSink::begin_sample(const Vec2& raster, float filter_weight, std::uint64_t sample) {
   raster_ = raster;
   filter_weight_ = filter_weight;
-  weight_ = weight;
   sample_ = sample;
   sees_something_ = false;
   brought_ = 0.0;
@@ -56,15 +49,13 @@ void SampleSink::add(const Contribution& whole) {
     divide(contribution);
     if (layers_.strong >= 0) keep_strong_light(whole, contribution.value);
   }
-  if (contribution.technique.t == 1) contribution.value *= light_weight_;
   const Spectrum& value = contribution.value;
   if (!value.is_finite() || value.min() < 0.F) {
     discard(contribution);
     return;
   }
   const bool direct = contribution.technique.depth() <= 2;
-  if (!techniques_.empty() &&
-      !techniques_.add(film_, pixel_, filter_weight_ * weight_, contribution)) {
+  if (!techniques_.empty() && !techniques_.add(film_, pixel_, filter_weight_, contribution)) {
     ++counters_.discarded_infinite;
   }
   if (contribution.technique.t == 1) {
@@ -76,7 +67,7 @@ void SampleSink::add(const Contribution& whole) {
   } else {
     const float light = luminance(value);
     brought_ += static_cast<double>(light);
-    tally_.add_camera_contribution(contribution.technique, light * filter_weight_ * weight_);
+    tally_.add_camera_contribution(contribution.technique, light * filter_weight_);
     (direct ? direct_ : indirect_) += value;
   }
 }
@@ -105,7 +96,7 @@ bool SampleSink::learns() const {
 void SampleSink::first_vertex(const PathVertex& vertex, const Hit* hit, float distance) {
   sees_something_ = true;
   if (g_buffer_.empty()) return;
-  g_buffer_.add(film_, pixel_, filter_weight_ * weight_, sample_, distance, vertex, hit);
+  g_buffer_.add(film_, pixel_, filter_weight_, sample_, distance, vertex, hit);
 }
 
 void SampleSink::keep_strong_for(const OutlierSink& sink) {
@@ -135,9 +126,9 @@ void SampleSink::hand_over(OutlierSink& sink, SampleSource& numbers) {
 }
 
 void SampleSink::end_sample() {
-  put(layers_.direct, (direct_ * filter_weight_ - guess_.direct) * weight_);
-  put(layers_.indirect, (indirect_ * filter_weight_ - guess_.indirect) * weight_);
-  put(layers_.strong, strong_light_ * (filter_weight_ * weight_));
+  put(layers_.direct, direct_ * filter_weight_);
+  put(layers_.indirect, indirect_ * filter_weight_);
+  put(layers_.strong, strong_light_ * filter_weight_);
   if (!sees_something_) g_buffer_.add_nothing(film_, pixel_, sample_);
   tally_.end_sample();
 }
@@ -167,11 +158,9 @@ void SampleSink::keep_strong(const Contribution& contribution, const Vec2& raste
                    origin_ + static_cast<std::uint64_t>(contribution.light_subpath),
                    contribution.light_subpath,
                    contribution.unidirectional_only};
-  const float weight = path.technique.t == 1 ? light_weight_ : weight_;
-  path.energy *= static_cast<double>(weight);
   const double survivor_weight = russian_roulette(path.energy, outlier_threshold_, path.key());
   if (survivor_weight == 0.0) return;
-  path.value = contribution.value * (parts.chains * weight * static_cast<float>(survivor_weight));
+  path.value = contribution.value * (parts.chains * static_cast<float>(survivor_weight));
   path.energy *= survivor_weight;
   strong_.push_back(path);
 }
@@ -180,7 +169,7 @@ void SampleSink::keep_strong_light(const Contribution& whole, const Spectrum& we
   const Spectrum strong = whole.value - weak;
   if (!strong.is_finite() || strong.min() < 0.F || strong.is_black()) return;
   if (whole.technique.t == 1) {
-    film_.splat(layers_.strong, replicate_, whole.raster, strong * light_weight_);
+    film_.splat(layers_.strong, replicate_, whole.raster, strong);
   } else {
     strong_light_ += strong;
   }

@@ -8,7 +8,6 @@
 #include "integrator/montecarlo/efficient_roulette.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/ray_price.h"
-#include "integrator/montecarlo/sample_rates.h"
 #include "integrator/montecarlo/technique_layers.h"
 #include "integrator/montecarlo/technique_tally.h"
 #include "integrator/outlier_paths.h"
@@ -30,12 +29,10 @@ class SampleSink final : public PathSink {
              const EfficientRoulette* roulette, double cull_below, const GBuffer& g_buffer,
              const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters);
 
-  /// `light_weight`: weight of light subpaths that reach the lens. `guess`, the control variate, is
-  /// added to the film, and subtracted from each camera sample.
-  void begin_pixel(Vec2i pixel, int replicate, float light_weight, const SampleRates::Guess& guess);
+  void begin_pixel(Vec2i pixel, int replicate);
   /// `raster`: where the camera ray goes through the film. Its contributions have the weight
-  /// `filter_weight` · `weight`.
-  void begin_sample(const Vec2& raster, float filter_weight, float weight, std::uint64_t sample);
+  /// `filter_weight`.
+  void begin_sample(const Vec2& raster, float filter_weight, std::uint64_t sample);
   /// Before the paths of a camera sample or light subpath: its name.
   void begin_paths(std::uint64_t sample) { origin_ = sample; }
 
@@ -87,9 +84,6 @@ class SampleSink final : public PathSink {
   Vec2 raster_{0.F, 0.F};
   int replicate_ = 0;
   float filter_weight_ = 1.F;
-  float weight_ = 1.F;
-  float light_weight_ = 1.F;
-  SampleRates::Guess guess_;
   std::uint64_t sample_ = 0;
   bool sees_something_ = false;  ///< the camera ray of this sample has met something
   double brought_ = 0.0;         ///< luminance, of this sample

@@ -130,10 +130,6 @@ std::vector<ParameterSpec> SelectiveConfig::parameters() {
           "samples that the division is decided from: cross-fitted (kept; each half of "
           "the replicates has the division of the other half's samples; needs 4 "
           "replicates, else discard), or discarded"),
-      choice_parameter("samples", {"adaptive", "uniform"},
-                       "camera samples of ordinary Monte Carlo: more where replicates show more "
-                       "noise, as many as a picture's samples per pixel on average; or the same "
-                       "everywhere"),
       choice_parameter("roulette", {"efficient", "usual"},
                        "Russian roulette of ordinary Monte Carlo: by what a ray brings for its "
                        "price, as pilot and render find it; or by throughput alone, as in ibpt and "
@@ -160,7 +156,6 @@ SelectiveConfig::SelectiveConfig(const Scene& the_scene, const RenderSettings& r
       pilot_samples(std::clamp(SelectiveHeuristics::kPilotSamples / pixels(),
                                SelectiveHeuristics::kFewestOfPixel,
                                SelectiveHeuristics::kMostOfPixel)),
-      adaptive_samples(parameters.get_text("samples") == "adaptive"),
       efficient_roulette(parameters.get_text("roulette") == "efficient"),
       antialias(parameters.get_text("edges") == "antialias"),
       regions(UserRegions::read(parameters.get_text("regions"), scene, settings)),

@@ -40,7 +40,6 @@ struct SelectiveConfig {
   Objective objective;
   PilotSamples pilot;
   std::uint64_t pilot_samples;  ///< per pixel, at least
-  bool adaptive_samples;        ///< sample_rates.h
   bool efficient_roulette;      ///< ray_price.h
   bool antialias;               ///< along edges where the division has a step
   UserRegions regions;

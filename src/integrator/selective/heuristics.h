@@ -90,8 +90,7 @@ struct SelectiveHeuristics {
   /// Unit: samples per pixel. Range: >= 2. Source: the same.
   static constexpr std::uint64_t kFewestOfPixel = 4;
   /// Unit: samples per pixel. Range: >= kFewestOfPixel. Source: docs/notebook/selective.md, "Half
-  /// and double": without it the pilot of 32x32 pixels has a third of 192 samples, and rates that
-  /// adapt help no more.
+  /// and double": without it the pilot of 32x32 pixels has a third of 192 samples.
   static constexpr std::uint64_t kMostOfPixel = 16;
   /// Threshold of Russian roulette, below which paths survive in proportion to what they carry. Its
   /// noise counts in the few samples of a pilot; this threshold keeps about one path per sample.

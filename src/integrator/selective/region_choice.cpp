@@ -6,11 +6,11 @@
 
 #include "image/pixel_at.h"
 #include "integrator/division.h"
+#include "integrator/montecarlo/weighted_errors.h"
 #include "integrator/regions/impulse_noise.h"
 #include "integrator/regions/region_map.h"
 #include "integrator/selective/heuristics.h"
 #include "integrator/selective/optimal_thresholds.h"
-#include "integrator/montecarlo/weighted_errors.h"
 
 namespace ajar {
 

@@ -85,9 +85,9 @@ MethodReport report_division(const SelectiveStatus& status) {
   // Relative to the brightness of the picture; 0: rays have no price.
   double ray_price = 0.0;
   double path_rest = 0.0;
-  if (status.adaptive != nullptr && status.adaptive->price()) {
-    ray_price = status.adaptive->price()->price() / prepared.brightness;
-    path_rest = status.adaptive->price()->rest() / prepared.brightness;
+  if (status.price) {
+    ray_price = status.price->price() / prepared.brightness;
+    path_rest = status.price->rest() / prepared.brightness;
   }
   std::optional<double> omc_error;
   if (known.chain_error) omc_error = 1.0 - *known.chain_error;

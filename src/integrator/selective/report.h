@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "integrator/selective/adaptive_sampling.h"
 #include "integrator/selective/chain_population.h"
 #include "integrator/selective/division_pilot.h"
 #include "integrator/selective/preparation.h"
@@ -18,7 +17,7 @@ struct SelectiveStatus {
   const DivisionResult* division;
   std::span<const ChainPopulation> populations;
   const SampleAllocation& allocation;
-  const AdaptiveSampling* adaptive;
+  const std::optional<RayPrice>& price;
 };
 
 /// Notes for those who light scenes: which light chains make.

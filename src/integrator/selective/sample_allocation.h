@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/archive_forward.h"
-#include "integrator/selective/preparation.h"
 #include "integrator/montecarlo/weighted_errors.h"
+#include "integrator/selective/preparation.h"
 
 namespace ajar {
 

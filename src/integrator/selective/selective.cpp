@@ -10,9 +10,9 @@
 #include "image/statistics.h"
 #include "integrator/metropolis/chain_film_sink.h"
 #include "integrator/metropolis/path_seeds.h"
+#include "integrator/montecarlo/weighted_errors.h"
 #include "integrator/regions/region_layers.h"
 #include "integrator/regions/surface_edges.h"
-#include "integrator/selective/adaptive_sampling.h"
 #include "integrator/selective/brightness_pilot.h"
 #include "integrator/selective/chain_archive.h"
 #include "integrator/selective/chain_check.h"
@@ -21,7 +21,6 @@
 #include "integrator/selective/report.h"
 #include "integrator/selective/roulette_pilot.h"
 #include "integrator/selective/technique_pilot.h"
-#include "integrator/montecarlo/weighted_errors.h"
 
 namespace ajar {
 
@@ -48,7 +47,7 @@ bool shows_surfaces(const SelectiveConfig& config) {
 ///     surfaces     where chains might pay: the regions of the picture, each divided by itself
 ///     render       samples and mutations, side by side, in epochs. At the end of each the seeds
 ///                  found meanwhile are merged into the chains (SeedReservoir), and effort is
-///                  shared anew (SampleAllocation, AdaptiveSampling).
+///                  shared anew (SampleAllocation), and rays priced (RayPrice).
 class SelectiveIntegrator final : public Integrator {
  public:
   SelectiveIntegrator(const Scene& scene, const RenderSettings& settings,
@@ -70,7 +69,7 @@ class SelectiveIntegrator final : public Integrator {
                              std::optional<int> replicate) const override;
   MethodReport report() const override { return report_on(status()); }
 
-  bool keeps_state() const override { return !populations_.empty() || learns(); }
+  bool keeps_state() const override { return !populations_.empty() || prepared_.ray_price; }
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive, std::uint64_t samples) override;
   void export_delta(OutputArchive& archive, const WorkSlice& slice) override;
@@ -103,8 +102,6 @@ class SelectiveIntegrator final : public Integrator {
   void disable_chains(std::optional<PreparationCut> preparation_cut);
   void make_omc();
 
-  /// Tests whether ordinary Monte Carlo adapts as the render goes on.
-  bool learns() const { return adaptive_ && adaptive_->learns(); }
   /// Shares effort anew by the errors that replicates show after `samples` samples.
   void share_effort(std::uint64_t samples, const Film& film);
   void begin_epoch();
@@ -115,7 +112,7 @@ class SelectiveIntegrator final : public Integrator {
   SelectiveStatus status() const {
     return {prepared_,
             division_ != nullptr && division_->result() ? &*division_->result() : nullptr,
-            populations_, allocation_, adaptive_.get()};
+            populations_, allocation_, prepared_.ray_price};
   }
 
   SelectivePreparation prepared_;
@@ -128,7 +125,6 @@ class SelectiveIntegrator final : public Integrator {
   SampleAllocation allocation_{prepared_};
   Epoch epoch_;
   ChainScheduler scheduler_{prepared_, allocation_, populations_, epoch_};
-  std::unique_ptr<AdaptiveSampling> adaptive_;
   std::unique_ptr<Integrator> omc_;
   std::uint64_t doubled_at_ = 0;  ///< samples per pixel
 };
@@ -310,12 +306,10 @@ void SelectiveIntegrator::end_preparation() {
 void SelectiveIntegrator::make_omc() {
   const RenderSettings settings = beside_chains(prepared_.config.settings);
   const bool has_chains = reservoir_ != nullptr;
-  adaptive_ = std::make_unique<AdaptiveSampling>(prepared_, settings);
   PathIntegratorContext context{
       .divisions = prepared_.divisions ? &*prepared_.divisions : nullptr,
       .strong = reservoir_.get(),
       .joins_by_manifolds = has_chains && PathSeeds::any_has_manifolds(prepared_.groups())};
-  adaptive_->tell(context);
   omc_ = prepared_.make_omc(prepared_.techniques.omc, settings, context);
 }
 
@@ -398,21 +392,16 @@ void SelectiveIntegrator::begin_epoch() {
 
 void SelectiveIntegrator::share_effort(std::uint64_t samples, const Film& film) {
   const bool shares = allocation_.can_adjust();
-  if (film.replicates() < 2 || !(shares || learns())) return;
+  if (film.replicates() < 2 || !(shares || prepared_.ray_price)) return;
   const auto pictures = [&](std::initializer_list<std::string> names) {
     return develop_layers(film, *this, samples, names);
-  };
-  const auto guesses = [&](const std::string& name) {
-    return film.layer(name) < 0 ? std::vector<float>() : replicate_median(pictures({name}));
   };
   const Box2i& crop = prepared_.config.settings.crop;
   const ImportanceMap& importance = prepared_.view.importance;
   const WeightedErrors of_omc = weighted_errors(pictures({"direct", kWeakLayer}), crop, importance);
-  if (learns()) {
-    SampleRates::Guesses needed;
-    if (adaptive_->needs_guesses()) needed = {guesses("direct"), guesses(kWeakLayer)};
-    adaptive_->adjust(of_omc.variance, std::move(needed), allocation_.omc_samples(samples),
-                      allocation_.rays_per_camera_sample());
+  if (prepared_.ray_price) {
+    prepared_.ray_price->adjust(of_omc.of_sample(allocation_.omc_samples(samples)),
+                                allocation_.rays_per_camera_sample());
   }
   if (!shares) return;
   allocation_.adjust(samples, of_omc, weighted_errors(pictures({"indirect"}), crop, importance));
@@ -451,7 +440,7 @@ void SelectiveIntegrator::save_state(OutputArchive& archive) const {
     serialize_population(archive, population, prepared_);
   }
   allocation_.save_state(archive);
-  adaptive_->save_state(archive);
+  if (prepared_.ray_price) prepared_.ray_price->save_state(archive);
   if (reservoir_) reservoir_->save_state(archive);
 }
 
@@ -470,7 +459,7 @@ void SelectiveIntegrator::load_state(InputArchive& archive, std::uint64_t sample
     check_population(population, prepared_, samples);
   }
   allocation_.load_state(archive, samples);
-  adaptive_->load_state(archive, allocation_.omc_samples(samples));
+  if (prepared_.ray_price) prepared_.ray_price->load_state(archive);
   if (reservoir_) reservoir_->load_state(archive);
   scheduler_.list();
 }
@@ -488,7 +477,7 @@ void SelectiveIntegrator::import_delta(InputArchive& archive, const WorkSlice& s
 }
 
 std::uint64_t SelectiveIntegrator::memory_bytes() const {
-  std::uint64_t bytes = adaptive_->memory_bytes();
+  std::uint64_t bytes = 0;
   for (const ChainPopulation& population : populations_) {
     for (const SelectiveChain& member : population.chains) {
       // There is one seed per chain, on average, which is as large.
