@@ -164,7 +164,6 @@ class Inverter {
     numbers.set_pair(address(Stream::Camera, 0, kEmissionDirection),
                      {unit(path_.raster.x / size.x), unit(path_.raster.y / size.y)});
     Walk walk{Stream::Camera, TransportMode::Radiance, k, -1, 0, Spectrum(1.F), 1.F};
-    if (settings_.camera_rest > 0.F) walk.roulette_scale = std::numeric_limits<float>::infinity();
     return follow(walk, technique_.t - 1);
   }
 
@@ -226,11 +225,8 @@ class Inverter {
     }
     // Counterpart of transport's `scatter`.
     const bool is_long = walk.edges >= settings_.roulette_start;
-    const bool is_efficient = walk.stream == Stream::Camera && settings_.camera_rest > 0.F &&
-                              walk.edges >= TransportHeuristics::kEfficientRouletteStart;
-    if (!is_long && !is_efficient) return true;
-    const float survival =
-        std::min(is_long ? 0.95F : 1.F, walk.throughput.max() * walk.roulette_scale);
+    if (!is_long) return true;
+    const float survival = std::min(0.95F, walk.throughput.max() * walk.roulette_scale);
     if (!(survival > 0.F)) return false;
     survive(address(walk.stream, walk.edges, Slot::Roulette), double{survival});
     walk.throughput /= survival;

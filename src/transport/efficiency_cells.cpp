@@ -24,6 +24,12 @@ constexpr std::uint32_t kSpecular = 7;
 constexpr int kLevels = 16;
 constexpr float kPlaces = 1U << kLevels;
 constexpr std::uint32_t kChildren = 8;
+/// The first levels, where a place is looked up at once.
+constexpr int kLevelsInTable = 4;
+
+std::size_t table_index(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  return x | y << kLevelsInTable | z << 2 * kLevelsInTable;
+}
 
 /// Light that counts for no more, in units of the picture's, so that sums stay in range: a billion
 /// samples fit.
@@ -40,7 +46,9 @@ std::uint32_t kind_of(const PathVertex& vertex) {
   if (!vertex.bsdf.connectible()) return kSpecular;
   const Vec3 n = face_forward(vertex.bsdf.ng(), vertex.wo);
   const Vec3 size(std::abs(n.x), std::abs(n.y), std::abs(n.z));
-  const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  // In this form, nothing has to be guessed by a processor.
+  const int side = size.y > size.x ? 1 : 0;
+  const int axis = size.z > std::max(size.x, size.y) ? 2 : side;
   return static_cast<std::uint32_t>(2 * axis) + (n[axis] < 0.F ? 1U : 0U);
 }
 
@@ -86,6 +94,24 @@ EfficiencyCells::EfficiencyCells(const Box3& bounds, double magnitude)
       known_(kKinds) {
   const Vec3 size = bounds.size();
   for (int axis = 0; axis < 3; ++axis) scale_[axis] = size[axis] > 0.F ? kPlaces / size[axis] : 0.F;
+  list_places();
+}
+
+void EfficiencyCells::list_places() {
+  table_.resize(std::size_t{1} << 3 * kLevelsInTable);
+  constexpr std::uint32_t kAcross = 1U << kLevelsInTable;
+  for (std::uint32_t z = 0; z < kAcross; ++z) {
+    for (std::uint32_t y = 0; y < kAcross; ++y) {
+      for (std::uint32_t x = 0; x < kAcross; ++x) {
+        std::uint32_t node = 0;
+        for (int level = kLevelsInTable - 1; level >= 0 && nodes_[node].children != 0; --level) {
+          node = nodes_[node].children +
+                 ((x >> level & 1U) | (y >> level & 1U) << 1U | (z >> level & 1U) << 2U);
+        }
+        table_[table_index(x, y, z)] = node;
+      }
+    }
+  }
 }
 
 std::uint32_t EfficiencyCells::find(const PathVertex& vertex) const {
@@ -95,8 +121,10 @@ std::uint32_t EfficiencyCells::find(const PathVertex& vertex) const {
     place[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(
         std::clamp((vertex.p[axis] - low_[axis]) * scale_[axis], 0.F, kPlaces - 1.F));
   }
-  const Node* node = nodes_.data();
-  for (int level = kLevels - 1; node->children != 0; --level) {
+  constexpr int kBelow = kLevels - kLevelsInTable;
+  const Node* node =
+      &nodes_[table_[table_index(place[0] >> kBelow, place[1] >> kBelow, place[2] >> kBelow)]];
+  for (int level = kBelow - 1; node->children != 0; --level) {
     const auto digit = [&](std::size_t axis) { return place[axis] >> level & 1U; };
     node = &nodes_[node->children + (digit(0) | digit(1) << 1U | digit(2) << 2U)];
   }
@@ -167,6 +195,7 @@ void EfficiencyCells::end_round() {
   std::transform(sums_.begin(), sums_.end(), worths_.begin(),
                  [this](const Sums& sums) { return worth_of(sums); });
   refine();
+  list_places();
   for (Sums& sums : sums_) {
     for (Moments* moments : {&sums.rest[0], &sums.rest[1], &sums.whole}) moments->divide_by(1);
   }
@@ -174,8 +203,8 @@ void EfficiencyCells::end_round() {
 }
 
 std::uint64_t EfficiencyCells::memory_bytes() const {
-  return nodes_.size() * sizeof(Node) + worths_.size() * sizeof(Worth) +
-         (sums_.size() + known_.size()) * sizeof(Sums);
+  return table_.size() * sizeof(std::uint32_t) + nodes_.size() * sizeof(Node) +
+         worths_.size() * sizeof(Worth) + (sums_.size() + known_.size()) * sizeof(Sums);
 }
 
 void EfficiencyCells::save_state(OutputArchive& archive) const { archive(nodes_, worths_, sums_); }
@@ -213,6 +242,7 @@ void EfficiencyCells::load_state(InputArchive& archive) {
     throw std::runtime_error("corrupt checkpoint: cells of roulette that cannot be");
   }
   known_ = sums_;
+  list_places();
 }
 
 void EfficiencyCells::export_delta(OutputArchive& archive) {

@@ -104,6 +104,8 @@ class EfficiencyCells {
 
   Worth worth_of(const Sums& sums) const;
   void add(Moments& moments, double light, std::uint64_t rays) const;
+  /// Fills the table.
+  void list_places();
   /// Divides leaves until none of them has too many samples.
   void refine();
   bool is_tree() const;
@@ -112,6 +114,7 @@ class EfficiencyCells {
   Vec3 scale_;  ///< from there to places in the octree
   double magnitude_;
   std::vector<Node> nodes_;
+  std::vector<std::uint32_t> table_;  ///< nodes of places, as far as the first levels tell
   std::vector<Worth> worths_;
   std::vector<Sums> sums_;
   std::vector<Sums> known_;  ///< sums that all processes have

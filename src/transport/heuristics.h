@@ -6,11 +6,6 @@ namespace ajar {
 
 /// The fitted numbers of the room, beside parameters, which declare their own ranges.
 struct TransportHeuristics {
-  /// First edge at which efficiency-aware roulette may end a walk. The reflectance of the first
-  /// surface varies too much for one estimate.
-  /// Unit: edges. Range: >= 1. Source: docs/notebook/selective.md, "Which rays are traced": from 1
-  /// on, veach-mis has 1.5 times the error of ibpt, from 2 on 0.86; 4 not measured.
-  static constexpr int kEfficientRouletteStart = 2;
   /// Least probability to survive where roulette judges by what was learned: what is not learned
   /// yet must not end all paths.
   /// Unit: probability. Range: (0, 1]. Source: Rath et al. 2022.
@@ -23,7 +18,7 @@ struct TransportHeuristics {
   /// vertices of the cell, or is spread evenly by Sobol' points anyway.
   /// Unit: standard deviation over standard deviation. Range: (0, 1]. Source:
   /// docs/notebook/roulette.md, "Splitting".
-  static constexpr float kSpreadOfVertex = 0.35F;
+  static constexpr float kSpreadOfVertex = 0.1F;
   /// Samples with which a cell is known.
   /// Unit: samples. Range: >= 2. Source: docs/notebook/roulette.md, "Cells".
   static constexpr std::int64_t kFewestSamplesOfCell = 32;

@@ -5,34 +5,34 @@
 
 namespace ajar {
 
-PathSampler::Departure PathSampler::arrive_in_cell(const PathVertex& vertex,
-                                                   const PathSink& sink) const {
-  return {.cell = settings_.cells->find(vertex),
-          .arrived_with = vertex.throughput.max(),
-          .brought_before = sink.brought(),
-          .rays_before = rays_.rays};
-}
-
-bool PathSampler::sample_vertex(const PathVertex& vertex, Departure departure, SampleSource& source,
+bool PathSampler::sample_vertex(const PathVertex& vertex, std::uint32_t cell, SampleSource& source,
                                 PathSink& sink, Flight& flight) {
+  const EfficiencyCells::Worth& worth = settings_.cells->worth(cell);
+  const WorthOfDirection in_rays = {worth.rest[0] * rays_per_unit_light_,
+                                    worth.rest[1] * rays_per_unit_light_};
+  if (!learns_) {
+    connect_to_lamps(vertex, source, sink);
+    return depart(vertex, in_rays, source, sink, flight);
+  }
+  Departure departure{.cell = cell,
+                      .arrived_with = vertex.throughput.max(),
+                      .brought_before = sink.brought(),
+                      .rays_before = rays_.rays};
   connect_to_lamps(vertex, source, sink);
   departure.brought_there = sink.brought();
   departure.rays_there = rays_.rays;
-  const EfficiencyCells::Worth& worth = settings_.cells->worth(departure.cell);
-  const bool leaves =
-      depart(vertex, {worth.rest[0] * rays_per_unit_light_, worth.rest[1] * rays_per_unit_light_},
-             source, sink, flight);
+  const bool leaves = depart(vertex, in_rays, source, sink, flight);
   if (leaves) {
     departure.specular = flight.specular;
     departure.left_with = flight.throughput.max();
   }
-  if (learns_) departures_.push_back(departure);
+  departures_.push_back(departure);
   return leaves;
 }
 
 bool PathSampler::split(const PathVertex& vertex, std::uint32_t cell, const Flight& flight,
                         SampleSource& source, PathSink& sink) {
-  if (branches_.full()) return false;
+  if (!settings_.splits || branches_.full()) return false;
   const float worth = TransportHeuristics::kSpreadOfVertex * vertex.throughput.max() *
                       settings_.cells->worth(cell).whole * rays_per_unit_light_;
   // A whole number, so that no chance is in the weights.
@@ -48,7 +48,7 @@ bool PathSampler::split(const PathVertex& vertex, std::uint32_t cell, const Flig
     Flight branch = flight;
     branch.roulette = own.roulette;
     const std::size_t first = departures_.size();
-    if (sample_vertex(own, arrive_in_cell(own, sink), source, sink, branch)) {
+    if (sample_vertex(own, cell, source, sink, branch)) {
       follow_camera(branch, source, sink);
     }
     learn(first, sink);

@@ -7,12 +7,8 @@ namespace ajar {
 PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings)
     : scene_(scene),
       settings_(settings),
-      camera_walk_{TransportMode::Radiance,
-                   Stream::Camera,
-                   settings.heuristic,
-                   settings.roulette_start,
-                   settings.techniques.needs_light_subpath(),
-                   settings.camera_rest > 0.F},
+      camera_walk_{TransportMode::Radiance, Stream::Camera, settings.heuristic,
+                   settings.roulette_start, settings.techniques.needs_light_subpath()},
       light_walk_{TransportMode::Importance, Stream::Light, settings.heuristic,
                   settings.roulette_start, true},
       only_depth_(settings.min_depth == settings.max_depth && !settings.shares_by_class
@@ -210,8 +206,6 @@ bool PathSampler::start_camera(SampleSource& source, const Vec2& raster, PathSin
   flight.medium = camera.medium;
   flight.reference = emission->point.surface.p;
   flight.throughput = emission->weight;
-  if (camera_walk_.efficient_roulette)
-    flight.roulette_scale = rays_per_unit_light_ * settings_.camera_rest;
   flight.mis = mis_start(settings_.heuristic, emission->position_pdf.value(), 0.0);
   flight.departure = emission->departure_pdf.value();
   flight.from_infinity = camera.at_infinity();
@@ -278,9 +272,9 @@ void PathSampler::walk_camera(Flight& flight, SampleSource& source, PathSink& si
     if (settings_.cells != nullptr) {
       // Connections to light subpaths come once, whatever the number of samples.
       connect_to_light_subpaths(vertex, source, sink);
-      const Departure departure = arrive_in_cell(vertex, sink);
-      if (split(vertex, departure.cell, flight, source, sink)) return;
-      if (!sample_vertex(vertex, departure, source, sink, flight)) return;
+      const std::uint32_t cell = settings_.cells->find(vertex);
+      if (split(vertex, cell, flight, source, sink)) return;
+      if (!sample_vertex(vertex, cell, source, sink, flight)) return;
       continue;
     }
     connect_to_lamps(vertex, source, sink);

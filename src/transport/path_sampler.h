@@ -82,15 +82,10 @@ struct PathSamplerSettings {
   /// image's pixels that these calls cover. If `sample` traces them itself: `light_subpaths` times
   /// that share.
   double light_paths_per_pixel = 1.0;
-  /// Efficiency-aware Russian roulette (after Rath et al. 2022): contribution of the rest of a
-  /// camera subpath per unit of its throughput, root mean square, over the root of the rays that it
-  /// takes. Subpaths then survive in proportion to its worth (`PathSink::rays_per_unit_light`),
-  /// from `TransportHeuristics::kEfficientRouletteStart` on. 0: not known; roulette follows the
-  /// throughput alone.
-  float camera_rest = 0.F;
   /// Camera subpaths survive and are split by what is known here, and tell it what they bring;
   /// null: roulette follows the throughput alone. Must outlive the sampler.
   EfficiencyCells* cells = nullptr;
+  bool splits = true;  ///< camera subpaths may be split, if there are cells
   /// Makes `Contribution::shares`, at a few more operations for each vertex of each connection.
   bool shares_by_class = false;
 };
@@ -202,9 +197,8 @@ class PathSampler {
     std::uint64_t rays_before;
     std::uint64_t rays_there = 0;
   };
-  Departure arrive_in_cell(const PathVertex& vertex, const PathSink& sink) const;
   /// One sample at a vertex: a connection to a lamp, and a direction. False if it ends there.
-  bool sample_vertex(const PathVertex& vertex, Departure departure, SampleSource& source,
+  bool sample_vertex(const PathVertex& vertex, std::uint32_t cell, SampleSource& source,
                      PathSink& sink, Flight& flight);
   /// Splits a subpath if that pays. Returns false if it goes on as one.
   bool split(const PathVertex& vertex, std::uint32_t cell, const Flight& flight,

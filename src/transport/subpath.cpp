@@ -92,9 +92,7 @@ bool scatter(const WalkSettings& settings, const PathVertex& vertex, SampleSourc
   if (settings.mode == TransportMode::Radiance) flight.roulette_scale *= sample->eta * sample->eta;
   const float own_worth = worth[sample->pdf.discrete() ? 1 : 0];
   const bool is_long = vertex.edges >= settings.roulette_start;
-  const bool is_judged =
-      settings.efficient_roulette && vertex.edges >= TransportHeuristics::kEfficientRouletteStart;
-  if (is_long || is_judged || own_worth > 0.F) {
+  if (is_long || own_worth > 0.F) {
     const float survival = std::min(
         is_long ? 0.95F : 1.F, own_worth > 0.F ? std::max(TransportHeuristics::kLeastSurvival,
                                                           flight.throughput.max() * own_worth)

@@ -19,8 +19,7 @@ struct Flight {
   int edges = 0;                  ///< index i of the vertex it left
   int surplus = 0;                ///< see PathVertex, with the event at z_i
   /// Factor of the throughput in Russian roulette: squared index ratios undo the scaling of
-  /// radiance, and the initial throughput of light is normalised. Efficiency-aware roulette
-  /// includes the expected worth of the rest of the path.
+  /// radiance, and the initial throughput of light is normalised.
   float roulette_scale = 1.F;
   float roulette = 1.F;  ///< product of roulette weights so far
   // For the MIS recursion:
@@ -45,9 +44,6 @@ struct WalkSettings {
   /// False if no technique has a subpath from the other end: then only vertices on lights need
   /// their MIS state, and reverse densities are not needed at all.
   bool has_other_end;
-  /// Paths may end before `roulette_start`, too, and survive for certain until then if they are
-  /// worth it.
-  bool efficient_roulette = false;
   int repeat = 0;  ///< index of the light subpath of the sample
   /// Directions to follow or to keep, if not null.
   KeptDirections* directions = nullptr;

@@ -159,8 +159,6 @@ TEST(Selective, HasAPriceOfRaysUnlessRouletteIsPlain) {
     const MethodReport omc = report_of(scene, 1, settings).at("omc");
     EXPECT_GT(omc.at("ray_price"), 0.01);
     EXPECT_LT(omc.at("ray_price"), 1.0);
-    EXPECT_GT(omc.at("path_rest"), 0.1);
-    EXPECT_LT(omc.at("path_rest"), 10.0);
   }
   EXPECT_EQ(report_of(scene, 1, {{"roulette", "usual"}}).at("omc").at("ray_price"), 0.0);
 }
@@ -183,10 +181,10 @@ int rounds_of(const std::string& scene_name) {
 }
 
 TEST(Selective, SkipsPreparationWithoutABenefit) {
-  // Brightness, techniques, roulette, and the division: nothing is dark.
-  EXPECT_EQ(rounds_of("cornell"), 4);
+  // Brightness, techniques, and the division: nothing is dark.
+  EXPECT_EQ(rounds_of("cornell"), 3);
   // Surfaces of pixels, too: chains might pay.
-  EXPECT_EQ(rounds_of("torus-in-glass"), 5);
+  EXPECT_EQ(rounds_of("torus-in-glass"), 4);
 }
 
 }  // namespace

@@ -262,7 +262,8 @@ TEST(Selective, DividesPathsAmongChainsByTheirClass) {
   options.samples = 16;
   options.integrator = "selective";
   for (const char* chain : {"auto", "mmlt"}) {
-    options.parameters = {{"chain", chain}, {"techniques", "bdpt"}, {"split", "0.05"}};
+    options.parameters = {
+        {"chain", chain}, {"techniques", "bdpt"}, {"split", "0.05"}, {"roulette", "usual"}};
     const OfHalves own = halves_of_seeds(*scene, options, 24);
     for (const auto& [mine, right] :
          {std::pair(own.left, truth.left), std::pair(own.right, truth.right)}) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/archive.h"
+#include "image/visible_error.h"
 #include "integrator/montecarlo/weighted_errors.h"
 
 namespace ajar {
@@ -29,8 +30,10 @@ void EfficientRoulette::end_round(const ImportanceMap& importance,
                                   std::span<const double> variance) {
   known_ = {rays_, samples_};
   cells_.agree();
-  const double mean =
-      sum_of(trimmed({variance.begin(), variance.end()})) / static_cast<double>(variance.size());
+  // Mean of visible errors: fireflies, and the border of a lamp, say little of all other pixels.
+  double sum = 0.0;
+  for (const double of_pixel : variance) sum += visible_error(of_pixel);
+  const double mean = variance_of(sum / static_cast<double>(variance.size()));
   const double rays = static_cast<double>(rays_) / static_cast<double>(samples_);
   const double price = std::sqrt(mean / rays);
   if (!is_positive(price)) return;

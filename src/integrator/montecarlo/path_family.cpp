@@ -10,7 +10,6 @@
 #include "image/statistics.h"
 #include "integrator/make_filter.h"
 #include "integrator/montecarlo/blind_spots.h"
-#include "integrator/montecarlo/efficient_roulette.h"
 #include "integrator/montecarlo/g_buffer.h"
 #include "integrator/montecarlo/heuristics.h"
 #include "integrator/montecarlo/path_parameters.h"
@@ -34,21 +33,25 @@ class PathIntegrator final : public Integrator {
         settings_(settings),
         divisions_(context.divisions),
         strong_(context.strong),
-        price_(context.price),
         joins_by_manifolds_(context.joins_by_manifolds),
         sampler_settings_(sampler_settings(settings, parameters)),
         sobol_(parameters.get_text("sampler") == "sobol"),
         light_alone_(light_alone(sampler_settings_.techniques)),
-        scale_(context.scale ? *context.scale : measure_scale()) {
+        scale_(context.scale ? *context.scale : measure_scale()),
+        roulette_(context.roulette) {
     const Vec2i size = settings.crop.size() + Vec2i(1, 1);
     tiles_ = {(size.x + kTileSize - 1) / kTileSize, (size.y + kTileSize - 1) / kTileSize};
     cull_below_ = parameters.get_float("cull") * scale_.median_of_means;
-    if (price_ != nullptr) sampler_settings_.camera_rest = static_cast<float>(price_->rest());
     // Without replicates, nobody knows the noise.
-    if (parameters.get_text("roulette") == "efficient" && settings.replicates > 1) {
-      roulette_ = std::make_unique<EfficientRoulette>(scene.bounds(), settings.crop, scale_.mean);
-      sampler_settings_.cells = &roulette_->cells();
+    if (roulette_ == nullptr && parameters.get_text("roulette") == "efficient" &&
+        settings.replicates > 1) {
+      own_roulette_ =
+          std::make_unique<EfficientRoulette>(scene.bounds(), settings.crop, scale_.mean);
+      roulette_ = own_roulette_.get();
     }
+    if (roulette_ != nullptr) sampler_settings_.cells = &roulette_->cells();
+    // Chains go on from paths that are not split.
+    sampler_settings_.splits = strong_ == nullptr;
   }
   const PictureScale& scale() const { return scale_; }
   Findings findings() const override;
@@ -57,7 +60,8 @@ class PathIntegrator final : public Integrator {
     std::vector<LayerSpec> specs = light_layers(scale_.mean);
     if (divisions_ != nullptr) {
       specs.push_back({.name = kWeakLayer, .magnitude = scale_.mean, .part_of = "indirect"});
-      if (settings_.for_filters) {
+      // Where chains make nothing, there is no other estimate, which would cost filters their time.
+      if (settings_.for_filters && !divisions_->take_nothing()) {
         specs.push_back({.name = kStrongLayer, .magnitude = scale_.mean, .instead_of = "indirect"});
       }
     }
@@ -75,32 +79,34 @@ class PathIntegrator final : public Integrator {
   }
 
   void begin_pass(std::uint64_t first_sample, std::uint64_t /*samples*/, Film& film) override {
-    if (!roulette_) return;
+    if (!own_roulette_) return;
     const std::uint64_t doubling = last_doubling(first_sample, replicates());
     if (doubling <= doubled_at_) return;
     doubled_at_ = doubling;
     end_round(first_sample, film);
   }
 
-  bool keeps_state() const override { return roulette_ != nullptr; }
+  bool keeps_state() const override { return own_roulette_ != nullptr; }
   void save_state(OutputArchive& archive) const override {
-    if (!roulette_) return;
+    if (!own_roulette_) return;
     archive(doubled_at_);
-    roulette_->save_state(archive);
+    own_roulette_->save_state(archive);
   }
   void load_state(InputArchive& archive, std::uint64_t samples) override {
-    if (!roulette_) return;
+    if (!own_roulette_) return;
     archive(doubled_at_);
     if (doubled_at_ > samples) throw std::runtime_error("corrupt checkpoint: wrong pass");
-    roulette_->load_state(archive);
+    own_roulette_->load_state(archive);
   }
   void export_delta(OutputArchive& archive, const WorkSlice& /*slice*/) override {
-    if (roulette_) roulette_->export_delta(archive);
+    if (own_roulette_) own_roulette_->export_delta(archive);
   }
   void import_delta(InputArchive& archive, const WorkSlice& /*slice*/) override {
-    if (roulette_) roulette_->import_delta(archive);
+    if (own_roulette_) own_roulette_->import_delta(archive);
   }
-  std::uint64_t memory_bytes() const override { return roulette_ ? roulette_->memory_bytes() : 0; }
+  std::uint64_t memory_bytes() const override {
+    return own_roulette_ ? own_roulette_->memory_bytes() : 0;
+  }
 
   std::uint64_t items_in_round() const override {
     return static_cast<std::uint64_t>(tiles_.x) * static_cast<std::uint64_t>(tiles_.y);
@@ -115,8 +121,8 @@ class PathIntegrator final : public Integrator {
                      std::min(low.y + kTileSize - 1, settings_.crop.max.y));
     const GBuffer g_buffer(film);
     const TechniqueLayers techniques(film);
-    SampleSink sink(film, divisions_, price_, roulette_.get(), cull_below_, g_buffer, techniques,
-                    settings_.seed, counters);
+    SampleSink sink(film, divisions_, roulette_, cull_below_, g_buffer, techniques, settings_.seed,
+                    counters);
     PathSampler sampler(scene_, sampler_settings_);
     const auto strong = strong_ != nullptr ? strong_->make(film, counters) : nullptr;
     if (strong) sink.keep_strong_for(*strong);
@@ -240,22 +246,22 @@ class PathIntegrator final : public Integrator {
   }
 
   PictureScale measure_scale() const;
-  /// Roulette learns from what was rendered so far.
+  /// Own roulette learns from what was rendered so far.
   void end_round(std::uint64_t samples, const Film& film);
 
   const Scene& scene_;
   RenderSettings settings_;
   const Divisions* divisions_;
   const OutlierSinkFactory* strong_;
-  const RayPrice* price_;
   bool joins_by_manifolds_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
   bool light_alone_;
   PictureScale scale_;  ///< by its mean the fixed-point sums are scaled
-  double cull_below_;   ///< light that is worth a ray, unless a price is known
-  std::unique_ptr<EfficientRoulette> roulette_;  ///< null if it follows the throughput alone
-  std::uint64_t doubled_at_ = 0;                 ///< samples per pixel
+  double cull_below_;   ///< light that is worth a ray, unless roulette knows better
+  std::unique_ptr<EfficientRoulette> own_roulette_;
+  EfficientRoulette* roulette_;   ///< null if roulette follows the throughput alone
+  std::uint64_t doubled_at_ = 0;  ///< samples per pixel
   Vec2i tiles_;
   mutable std::once_flag looked_around_;
   mutable std::vector<Warning> concerns_;
@@ -274,8 +280,8 @@ Findings PathIntegrator::findings() const {
 void PathIntegrator::end_round(std::uint64_t samples, const Film& film) {
   const Replicates pictures = develop_layers(film, *this, samples, {"direct", "indirect"});
   const ImportanceMap importance = relative_importance(pictures, settings_.crop);
-  roulette_->end_round(importance,
-                       weighted_errors(pictures, settings_.crop, importance).of_sample(samples));
+  own_roulette_->end_round(
+      importance, weighted_errors(pictures, settings_.crop, importance).of_sample(samples));
 }
 
 class MeanSink final : public PathSink {

@@ -3,8 +3,8 @@
 
 #include "integrator/division.h"
 #include "integrator/integrator.h"
+#include "integrator/montecarlo/efficient_roulette.h"
 #include "integrator/montecarlo/path_parameters.h"
-#include "integrator/montecarlo/ray_price.h"
 #include "integrator/outlier_paths.h"
 #include "transport/path_sampler.h"
 
@@ -41,9 +41,11 @@ struct PathIntegratorContext {
   /// `kWeakLayer`.
   const Divisions* divisions = nullptr;
   const OutlierSinkFactory* strong = nullptr;  ///< see what it leaves to chains
-  const RayPrice* price = nullptr;             ///< saves rays by Russian roulette
-  std::optional<PictureScale> scale{};         ///< measured unless it is known
-  bool joins_by_manifolds = false;             ///< see `blind_spots`
+  /// Saves rays and splits paths, and learns; its rounds are ended by whoever gives it. Without,
+  /// the parameter `roulette` decides.
+  EfficientRoulette* roulette = nullptr;
+  std::optional<PictureScale> scale{};  ///< measured unless it is known
+  bool joins_by_manifolds = false;      ///< see `blind_spots`
 };
 
 /// Ordinary Monte Carlo with one set of techniques (docs/methods/bidirectional.md): `pt`, `lt`,

@@ -9,13 +9,11 @@
 
 namespace ajar {
 
-SampleSink::SampleSink(Film& film, const Divisions* divisions, const RayPrice* price,
-                       const EfficientRoulette* roulette, double cull_below,
-                       const GBuffer& g_buffer, const TechniqueLayers& techniques,
-                       std::uint64_t seed, Counters& counters)
+SampleSink::SampleSink(Film& film, const Divisions* divisions, const EfficientRoulette* roulette,
+                       double cull_below, const GBuffer& g_buffer,
+                       const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters)
     : film_(film),
       divisions_(divisions),
-      price_(price),
       roulette_(roulette),
       rays_per_unit_light_(static_cast<float>(1.0 / cull_below)),
       layers_{film.layer("direct"), std::max(film.layer(kWeakLayer), film.layer("indirect")),
@@ -82,7 +80,6 @@ bool SampleSink::reaches(const Vec2& raster) const {
 }
 
 float SampleSink::rays_per_unit_light(const Vec2& raster) const {
-  if (price_ != nullptr) return price_->rays_per_unit_light(raster);
   return roulette_ != nullptr && roulette_->is_known() ? roulette_->rays_per_unit_light(raster)
                                                        : rays_per_unit_light_;
 }

@@ -7,7 +7,6 @@
 #include "integrator/integrator.h"
 #include "integrator/montecarlo/efficient_roulette.h"
 #include "integrator/montecarlo/g_buffer.h"
-#include "integrator/montecarlo/ray_price.h"
 #include "integrator/montecarlo/technique_layers.h"
 #include "integrator/montecarlo/technique_tally.h"
 #include "integrator/outlier_paths.h"
@@ -23,11 +22,10 @@ namespace ajar {
 class SampleSink final : public PathSink {
  public:
   /// `divisions` is null where nothing is left to chains; `cull_below`: contribution worth a ray
-  /// where neither `price` nor `roulette` knows better; both may be null. References must outlive
-  /// the sink.
-  SampleSink(Film& film, const Divisions* divisions, const RayPrice* price,
-             const EfficientRoulette* roulette, double cull_below, const GBuffer& g_buffer,
-             const TechniqueLayers& techniques, std::uint64_t seed, Counters& counters);
+  /// as long as no `roulette` knows better. References must outlive the sink.
+  SampleSink(Film& film, const Divisions* divisions, const EfficientRoulette* roulette,
+             double cull_below, const GBuffer& g_buffer, const TechniqueLayers& techniques,
+             std::uint64_t seed, Counters& counters);
 
   void begin_pixel(Vec2i pixel, int replicate);
   /// `raster`: where the camera ray goes through the film. Its contributions have the weight
@@ -71,7 +69,6 @@ class SampleSink final : public PathSink {
   Film& film_;
   const Divisions* divisions_;
   const Division* division_ = nullptr;  ///< division of the replicate
-  const RayPrice* price_;
   const EfficientRoulette* roulette_;
   float rays_per_unit_light_;
   Layers layers_;

@@ -130,10 +130,7 @@ std::vector<ParameterSpec> SelectiveConfig::parameters() {
           "samples that the division is decided from: cross-fitted (kept; each half of "
           "the replicates has the division of the other half's samples; needs 4 "
           "replicates, else discard), or discarded"),
-      choice_parameter("roulette", {"efficient", "usual"},
-                       "Russian roulette of ordinary Monte Carlo: by what a ray brings for its "
-                       "price, as pilot and render find it; or by throughput alone, as in ibpt and "
-                       "bdpt"),
+      roulette_parameter("efficient"),
       number_parameter("split", kAuto,
                        "T: brightness, relative to the pixel's, of paths that ordinary Monte "
                        "Carlo and chains share evenly; auto: as a pilot finds, region by region",

@@ -40,7 +40,7 @@ struct SelectiveConfig {
   Objective objective;
   PilotSamples pilot;
   std::uint64_t pilot_samples;  ///< per pixel, at least
-  bool efficient_roulette;      ///< ray_price.h
+  bool efficient_roulette;      ///< efficient_roulette.h
   bool antialias;               ///< along edges where the division has a step
   UserRegions regions;
   PathFamilyDefaults omc;   ///< techniques of both halves, unless a pilot chooses

@@ -60,26 +60,14 @@ struct SelectiveHeuristics {
   /// before; half and double not measured.
   static constexpr std::uint64_t kBrightnessSamples = 4096;
 
-  // -------------------------------------------------------- pilots of techniques and of roulette
+  // -------------------------------------------------------- pilot of techniques
   /// Places on the film with two camera samples each.
   /// Unit: places. Range: a multiple of 16. Source: docs/notebook/selective.md, "Half and double".
   static constexpr std::uint64_t kPilotPlaces = 2048;
   /// Techniques with fewer rays are taken unless the error of others in the same time is less by
   /// this factor.
-  /// Unit: error over error. Range: >= 1. Source: docs/notebook/selective.md, "Which techniques":
-  /// bdpt 4 has 0.69 of the error on floor-lamps; on cornell differences of 1.1 are not those of
-  /// time.
-  static constexpr double kClearlyFaster = 1.2;
-  /// Variance that Sobol' points leave of what camera paths bring alone. Light subpaths have points
-  /// of the whole picture, which are as independent ones in a pixel.
-  /// Unit: variance over that of independent points. Range: (0, 1]. Source:
-  /// docs/notebook/selective.md, "Which techniques": 0.69 to 1.03 with `pt`.
-  static constexpr double kLeftBySobol = 0.85;
-  /// The price that these pilots have, which is their Λ: what it is about in most scenes, so that
-  /// roulette is much as it will be.
-  /// Unit: brightness. Range: > 0. Source: docs/notebook/selective.md, "Which rays are traced": it
-  /// turns out to be 0.1 to 0.5.
-  static constexpr double kUsualPrice = 0.3;
+  /// Unit: error over error. Range: >= 1. Source: docs/notebook/selective.md, "Which techniques".
+  static constexpr double kClearlyFaster = 1.05;
   // -------------------------------------------------------- pilot of the division
   /// Camera samples of a whole picture that tell enough about it: a small picture tells as much as
   /// others by more samples of each pixel.

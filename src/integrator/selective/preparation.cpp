@@ -85,7 +85,7 @@ std::unique_ptr<Integrator> SelectivePreparation::make_omc(const PathFamilyDefau
   settings.min_depth = omc_depths().first;
   settings.max_depth = omc_depths().second;
   if (!context.scale) context.scale = scale;
-  if (context.price == nullptr && ray_price) context.price = &*ray_price;
+  context.roulette = roulette.get();
   return make_path_integrator(config.scene, settings, omc_parameters(omc), context);
 }
 

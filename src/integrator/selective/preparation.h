@@ -7,7 +7,7 @@
 
 #include "integrator/division.h"
 #include "integrator/metropolis/path_group.h"
-#include "integrator/montecarlo/ray_price.h"
+#include "integrator/montecarlo/efficient_roulette.h"
 #include "integrator/outlier_paths.h"
 #include "integrator/regions/surface_pilot.h"
 #include "integrator/selective/config.h"
@@ -39,11 +39,11 @@ struct SelectivePreparation {
   ChainView view;           ///< with the importance of places on the film; until then, that given
   std::optional<PictureScale> scale;  ///< scale of the picture; measured anew unless it is known
 
+  /// Roulette of ordinary Monte Carlo; null if it is the usual.
+  std::unique_ptr<EfficientRoulette> roulette;
+
   // ---- TechniquePilot; until then, of the configuration
   ChosenTechniques techniques;
-
-  // ---- RoulettePilot
-  std::optional<RayPrice> ray_price;
 
   // ---- SurfacePilot
   Surfaces surfaces;

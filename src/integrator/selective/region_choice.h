@@ -51,10 +51,10 @@ struct RegionChoice {
   /// Chains would only cost: they have the highest threshold everywhere.
   bool fireflies_only = false;
 
-  /// Chains might pay, and more so where each region chooses.
-  bool has_hope() const { return hoped_error && *hoped_error < 1.0; }
-  /// Chains would not pay, however lucky.
-  bool is_hopeless() const { return hoped_error && *hoped_error >= 1.0; }
+  /// Chains might pay clearly, and more so where each region chooses.
+  bool has_hope() const { return hoped_error && *hoped_error < SelectiveHeuristics::kClearGain; }
+  /// Chains would not, however lucky.
+  bool is_hopeless() const { return hoped_error && !has_hope(); }
 };
 
 /// Division of least predicted error (optimal_thresholds.h); the user's rules have the last word.

@@ -83,12 +83,8 @@ MethodReport report_division(const SelectiveStatus& status) {
   const SelectivePreparation& prepared = status.prepared;
   const SampleAllocation::Known known = status.allocation.known();
   // Relative to the brightness of the picture; 0: rays have no price.
-  double ray_price = 0.0;
-  double path_rest = 0.0;
-  if (status.price) {
-    ray_price = status.price->price() / prepared.brightness;
-    path_rest = status.price->rest() / prepared.brightness;
-  }
+  const double ray_price =
+      prepared.roulette ? prepared.roulette->price() / prepared.brightness : 0.0;
   std::optional<double> omc_error;
   if (known.chain_error) omc_error = 1.0 - *known.chain_error;
   const Surfaces& surfaces = prepared.surfaces;
@@ -103,7 +99,6 @@ MethodReport report_division(const SelectiveStatus& status) {
            {{"techniques", prepared.techniques.omc.techniques},
             {"light_paths_per_sample", prepared.techniques.omc.light_paths_per_pixel},
             {"ray_price", ray_price},
-            {"path_rest", path_rest},
             {"ray_share", 1.0 - known.chain_rays},
             {"squared_error_share", or_null(omc_error)}}},
           {"region_count", surfaces.regions.count()},

@@ -17,7 +17,6 @@ struct SelectiveStatus {
   const DivisionResult* division;
   std::span<const ChainPopulation> populations;
   const SampleAllocation& allocation;
-  const std::optional<RayPrice>& price;
 };
 
 /// Notes for those who light scenes: which light chains make.

@@ -19,7 +19,6 @@
 #include "integrator/selective/chain_scheduler.h"
 #include "integrator/selective/division_pilot.h"
 #include "integrator/selective/report.h"
-#include "integrator/selective/roulette_pilot.h"
 #include "integrator/selective/technique_pilot.h"
 
 namespace ajar {
@@ -41,13 +40,12 @@ bool shows_surfaces(const SelectiveConfig& config) {
 ///     dark         if that was black: samples with manifold connections
 ///     techniques   which techniques ordinary Monte Carlo and chains share, and how many light
 ///                  paths
-///     roulette     the price of a ray
 ///     division     the first samples of the render: which light is for chains (region_choice.h);
 ///                  what they leave to chains seeds these
 ///     surfaces     where chains might pay: the regions of the picture, each divided by itself
 ///     render       samples and mutations, side by side, in epochs. At the end of each the seeds
 ///                  found meanwhile are merged into the chains (SeedReservoir), and effort is
-///                  shared anew (SampleAllocation), and rays priced (RayPrice).
+///                  shared anew (SampleAllocation), and rays priced (EfficientRoulette).
 class SelectiveIntegrator final : public Integrator {
  public:
   SelectiveIntegrator(const Scene& scene, const RenderSettings& settings,
@@ -69,7 +67,7 @@ class SelectiveIntegrator final : public Integrator {
                              std::optional<int> replicate) const override;
   MethodReport report() const override { return report_on(status()); }
 
-  bool keeps_state() const override { return !populations_.empty() || prepared_.ray_price; }
+  bool keeps_state() const override { return !populations_.empty() || prepared_.roulette; }
   void save_state(OutputArchive& archive) const override;
   void load_state(InputArchive& archive, std::uint64_t samples) override;
   void export_delta(OutputArchive& archive, const WorkSlice& slice) override;
@@ -87,8 +85,8 @@ class SelectiveIntegrator final : public Integrator {
 
   void take_brightness(BrightnessPilot& pilot);
   void take_dark(DarkPilot& pilot);
+  void make_roulette(double magnitude);
   void take_techniques(TechniquePilot& pilot);
-  void take_roulette(RoulettePilot& pilot) { prepared_.ray_price = pilot.price(); }
   void take_surfaces(SurfacePilot& pilot);
   void take_division(DivisionPilot& pilot);
   void add_surfaces();
@@ -102,6 +100,10 @@ class SelectiveIntegrator final : public Integrator {
   void disable_chains(std::optional<PreparationCut> preparation_cut);
   void make_omc();
 
+  /// Replicates of ordinary Monte Carlo's part after `samples` samples.
+  Replicates pictures_of_omc(std::uint64_t samples, const Film& film) const;
+  /// Roulette learns from that.
+  void end_roulette_round(std::uint64_t samples, const Film& film);
   /// Shares effort anew by the errors that replicates show after `samples` samples.
   void share_effort(std::uint64_t samples, const Film& film);
   void begin_epoch();
@@ -112,7 +114,7 @@ class SelectiveIntegrator final : public Integrator {
   SelectiveStatus status() const {
     return {prepared_,
             division_ != nullptr && division_->result() ? &*division_->result() : nullptr,
-            populations_, allocation_, prepared_.ray_price};
+            populations_, allocation_};
   }
 
   SelectivePreparation prepared_;
@@ -142,9 +144,6 @@ SelectiveIntegrator::SelectiveIntegrator(const Scene& scene, const RenderSetting
   add_stage(std::make_unique<BrightnessPilot>(prepared_), &SelectiveIntegrator::take_brightness);
   add_stage(std::make_unique<DarkPilot>(prepared_), &SelectiveIntegrator::take_dark);
   add_stage(std::make_unique<TechniquePilot>(prepared_), &SelectiveIntegrator::take_techniques);
-  if (prepared_.config.efficient_roulette) {
-    add_stage(std::make_unique<RoulettePilot>(prepared_), &SelectiveIntegrator::take_roulette);
-  }
   prepared_.surfaces = one_region(settings.crop);
   if (shows_surfaces(prepared_.config)) add_surfaces();
   auto division = std::make_unique<DivisionPilot>(prepared_, *reservoir_);
@@ -171,9 +170,17 @@ void SelectiveIntegrator::take_dark(DarkPilot& pilot) {
   if (!(prepared_.brightness > 0.0)) prepared_.brightness = pilot.brightness();
   if (prepared_.brightness > 0.0) {
     prepared_.divisions.emplace(Division(prepared_.lowest_threshold(), prepared_.view.importance));
+    make_roulette(prepared_.scale ? prepared_.scale->mean : prepared_.brightness);
   } else {
     disable_chains(std::nullopt);
   }
+}
+
+void SelectiveIntegrator::make_roulette(double magnitude) {
+  const RenderSettings& settings = prepared_.config.settings;
+  if (!prepared_.config.efficient_roulette || settings.replicates < 2) return;
+  prepared_.roulette =
+      std::make_unique<EfficientRoulette>(prepared_.scene().bounds(), settings.crop, magnitude);
 }
 
 void SelectiveIntegrator::take_techniques(TechniquePilot& pilot) {
@@ -276,9 +283,12 @@ void SelectiveIntegrator::skip_preparation(PreparationCut of) {
 void SelectiveIntegrator::disable_chains(std::optional<PreparationCut> preparation_cut) {
   const bool is_kept = division_ != nullptr && division_->result() && division_->stays();
   prepared_.preparation_cut = preparation_cut;
-  prepared_.ray_price.reset();
-  // The sums that are kept are in its units.
-  if (!is_kept) prepared_.scale.reset();
+  // The sums that are kept are in its units. Otherwise items may have been cut off, which have told
+  // roulette of their rays.
+  if (!is_kept) {
+    prepared_.scale.reset();
+    prepared_.roulette.reset();
+  }
   prepared_.mutations = 0.0;
   prepared_.pilot_kept = is_kept ? division_->result()->samples : 0;
   if (prepared_.config.has_long_paths()) leave_nothing_to_chains();
@@ -306,6 +316,14 @@ void SelectiveIntegrator::end_preparation() {
 void SelectiveIntegrator::make_omc() {
   const RenderSettings settings = beside_chains(prepared_.config.settings);
   const bool has_chains = reservoir_ != nullptr;
+  if (!prepared_.roulette) {
+    if (!prepared_.scale) {
+      prepared_.scale =
+          measure_scale(prepared_.scene(), settings,
+                        SelectivePreparation::omc_parameters(prepared_.techniques.omc));
+    }
+    make_roulette(prepared_.scale->mean);
+  }
   PathIntegratorContext context{
       .divisions = prepared_.divisions ? &*prepared_.divisions : nullptr,
       .strong = reservoir_.get(),
@@ -356,7 +374,10 @@ std::vector<LayerSpec> SelectiveIntegrator::layers() const {
 /// `PassSchedule`): where passes end otherwise is up to the clock, and must not change the picture.
 void SelectiveIntegrator::begin_pass(std::uint64_t first_sample, std::uint64_t samples,
                                      Film& film) {
-  if (first_sample == 0 && division_ != nullptr) division_->hand_over(film);
+  if (first_sample == 0 && division_ != nullptr) {
+    division_->hand_over(film);
+    if (prepared_.pilot_kept > 0) end_roulette_round(0, film);
+  }
   if (reservoir_) {
     reservoir_->advance(populations_, allocation_.omc_samples(epoch_.begin()),
                         allocation_.omc_samples(first_sample),
@@ -391,20 +412,32 @@ void SelectiveIntegrator::begin_epoch() {
 }
 
 void SelectiveIntegrator::share_effort(std::uint64_t samples, const Film& film) {
-  const bool shares = allocation_.can_adjust();
-  if (film.replicates() < 2 || !(shares || prepared_.ray_price)) return;
-  const auto pictures = [&](std::initializer_list<std::string> names) {
-    return develop_layers(film, *this, samples, names);
-  };
+  if (film.replicates() < 2) return;
+  end_roulette_round(samples, film);
+  if (!allocation_.can_adjust()) return;
   const Box2i& crop = prepared_.config.settings.crop;
   const ImportanceMap& importance = prepared_.view.importance;
-  const WeightedErrors of_omc = weighted_errors(pictures({"direct", kWeakLayer}), crop, importance);
-  if (prepared_.ray_price) {
-    prepared_.ray_price->adjust(of_omc.of_sample(allocation_.omc_samples(samples)),
-                                allocation_.rays_per_camera_sample());
-  }
-  if (!shares) return;
-  allocation_.adjust(samples, of_omc, weighted_errors(pictures({"indirect"}), crop, importance));
+  const auto errors = [&](const Replicates& pictures) {
+    return weighted_errors(pictures, crop, importance);
+  };
+  allocation_.adjust(samples, errors(pictures_of_omc(samples, film)),
+                     errors(develop_layers(film, *this, samples, {"indirect"})));
+}
+
+Replicates SelectiveIntegrator::pictures_of_omc(std::uint64_t samples, const Film& film) const {
+  return develop_layers(film, *this, samples,
+                        {"direct", prepared_.divisions ? kWeakLayer : "indirect"});
+}
+
+void SelectiveIntegrator::end_roulette_round(std::uint64_t samples, const Film& film) {
+  if (!prepared_.roulette) return;
+  const Box2i& crop = prepared_.config.settings.crop;
+  const Replicates pictures = pictures_of_omc(samples, film);
+  const ImportanceMap importance =
+      prepared_.preparation_cut ? relative_importance(pictures, crop) : prepared_.view.importance;
+  prepared_.roulette->end_round(
+      importance,
+      weighted_errors(pictures, crop, importance).of_sample(allocation_.omc_samples(samples)));
 }
 
 void SelectiveIntegrator::run_item(std::uint64_t item, std::uint64_t first_sample,
@@ -440,7 +473,7 @@ void SelectiveIntegrator::save_state(OutputArchive& archive) const {
     serialize_population(archive, population, prepared_);
   }
   allocation_.save_state(archive);
-  if (prepared_.ray_price) prepared_.ray_price->save_state(archive);
+  if (prepared_.roulette) prepared_.roulette->save_state(archive);
   if (reservoir_) reservoir_->save_state(archive);
 }
 
@@ -459,7 +492,7 @@ void SelectiveIntegrator::load_state(InputArchive& archive, std::uint64_t sample
     check_population(population, prepared_, samples);
   }
   allocation_.load_state(archive, samples);
-  if (prepared_.ray_price) prepared_.ray_price->load_state(archive);
+  if (prepared_.roulette) prepared_.roulette->load_state(archive);
   if (reservoir_) reservoir_->load_state(archive);
   scheduler_.list();
 }
@@ -467,17 +500,19 @@ void SelectiveIntegrator::load_state(InputArchive& archive, std::uint64_t sample
 void SelectiveIntegrator::export_delta(OutputArchive& archive, const WorkSlice& slice) {
   scheduler_.export_delta(archive, slice, omc_items());
   allocation_.export_delta(archive);
+  if (prepared_.roulette) prepared_.roulette->export_delta(archive);
   if (reservoir_) reservoir_->export_delta(archive);
 }
 
 void SelectiveIntegrator::import_delta(InputArchive& archive, const WorkSlice& slice) {
   scheduler_.import_delta(archive, slice, omc_items());
   allocation_.import_delta(archive);
+  if (prepared_.roulette) prepared_.roulette->import_delta(archive);
   if (reservoir_) reservoir_->import_delta(archive);
 }
 
 std::uint64_t SelectiveIntegrator::memory_bytes() const {
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = prepared_.roulette ? prepared_.roulette->memory_bytes() : 0;
   for (const ChainPopulation& population : populations_) {
     for (const SelectiveChain& member : population.chains) {
       // There is one seed per chain, on average, which is as large.

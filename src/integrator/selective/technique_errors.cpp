@@ -22,8 +22,6 @@ void TechniqueErrors::begin_sample() {
 void TechniqueErrors::add(double light, TechniqueClass found_by,
                           const ByTechniqueClass<float>& shares) {
   if (!(light > 0.0)) return;
-  const auto by_camera = static_cast<double>(shares[index_of(TechniqueClass::Implicit)] +
-                                             shares[index_of(TechniqueClass::NextEvent)]);
   for (Offer& offer : offers_) {
     double often = 0.0;
     for (std::size_t k = 0; k < shares.size(); ++k) {
@@ -35,7 +33,6 @@ void TechniqueErrors::add(double light, TechniqueClass found_by,
     }
     const double part = light / often;
     offer.second_moment += light * part;
-    offer.own_second_moment += light * part * by_camera / often;
     // Light paths that reach the lens land on other pixels.
     if (found_by == TechniqueClass::Light) continue;
     const bool inner = found_by == TechniqueClass::Inner;
@@ -51,8 +48,6 @@ void TechniqueErrors::end_sample() {
     const Sample& first = offer.first;
     const double subpaths = offer.counts[index_of(TechniqueClass::Inner)];
     const double own = now.own * now.own - now.own_squares;
-    offer.own_second_moment += own;
-    offer.own_mean_square += first.own * now.own;
     offer.second_moment += own + 2.0 * subpaths * now.own * now.inner +
                            subpaths * (now.inner * now.inner - now.inner_squares);
     // Pairs of light subpaths: each sample of this place has one.
@@ -63,25 +58,10 @@ void TechniqueErrors::end_sample() {
   }
 }
 
-TechniqueErrors& TechniqueErrors::operator+=(const TechniqueErrors& other) {
-  samples_ += other.samples_;
-  for (std::size_t i = 0; i < offers_.size(); ++i) {
-    offers_[i].second_moment += other.offers_[i].second_moment;
-    offers_[i].mean_square += other.offers_[i].mean_square;
-    offers_[i].own_second_moment += other.offers_[i].own_second_moment;
-    offers_[i].own_mean_square += other.offers_[i].own_mean_square;
-  }
-  return *this;
-}
-
-double TechniqueErrors::variance(std::size_t offer, double left_of_own) const {
+double TechniqueErrors::variance(std::size_t offer) const {
   const auto samples = static_cast<double>(samples_);
-  const auto of = [&](double second_moment, double mean_square) {
-    return second_moment / samples - mean_square / (samples / 2.0);
-  };
   const Offer& sums = offers_[offer];
-  const double own = of(sums.own_second_moment, sums.own_mean_square);
-  return of(sums.second_moment, sums.mean_square) - (1.0 - left_of_own) * own;
+  return sums.second_moment / samples - sums.mean_square / (samples / 2.0);
 }
 
 }  // namespace ajar

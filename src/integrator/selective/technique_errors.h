@@ -28,12 +28,9 @@ class TechniqueErrors {
   void add(double light, TechniqueClass found_by, const ByTechniqueClass<float>& shares);
   void end_sample();
 
-  /// Adds the samples of another with the same counts.
-  TechniqueErrors& operator+=(const TechniqueErrors& other);
   /// Mean over places of the variance of a sample; infinite for offers that cannot find what was
-  /// found. Below 0 only by noise. NaN without samples. `left_of_own`: by well distributed points,
-  /// of the variance of what camera paths bring alone.
-  double variance(std::size_t offer, double left_of_own = 1.0) const;
+  /// found. Below 0 only by noise. NaN without samples.
+  double variance(std::size_t offer) const;
 
  private:
   /// Sums over a sample.
@@ -47,8 +44,6 @@ class TechniqueErrors {
     ByTechniqueClass<double> counts;
     double second_moment = 0.0;
     double mean_square = 0.0;  ///< product of a place's two samples
-    double own_second_moment = 0.0;
-    double own_mean_square = 0.0;
     Sample now;
     Sample first;  ///< sample before, of the same place; nothing until it is over
   };

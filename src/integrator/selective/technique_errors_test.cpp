@@ -152,15 +152,5 @@ TEST(TechniqueErrors, AreInfiniteWhereATechniqueIsMissing) {
   EXPECT_EQ(errors.variance(1), 1.0);
 }
 
-TEST(TechniqueErrors, AddUp) {
-  const std::vector<double> counts = {0.0, 1.0};
-  TechniqueErrors twice = tried(counts, 500);
-  const TechniqueErrors once = tried(counts, 500);
-  twice += once;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    EXPECT_NEAR(twice.variance(i), once.variance(i), 1e-9);
-  }
-}
-
 }  // namespace
 }  // namespace ajar

@@ -5,6 +5,7 @@
 
 #include "core/random.h"
 #include "core/random_use.h"
+#include "image/visible_error.h"
 #include "integrator/montecarlo/path_family.h"
 #include "integrator/selective/heuristics.h"
 #include "transport/sources.h"
@@ -60,7 +61,6 @@ class TechniquePilot::Sink final : public PathSink {
   Sink(const SelectivePreparation& prepared, TechniqueErrors& errors)
       : view_(prepared.view),
         most_(SelectiveHeuristics::kBright * prepared.brightness),
-        price_(static_cast<float>(SelectiveHeuristics::kUsualPrice * prepared.brightness)),
         errors_(errors) {}
 
   void begin_place(const Vec2& raster) {
@@ -75,14 +75,10 @@ class TechniquePilot::Sink final : public PathSink {
     errors_.add(std::min(light, most_), found_by, contribution.shares);
   }
   bool reaches(const Vec2& raster) const override { return view_.contains(raster); }
-  float rays_per_unit_light(const Vec2& raster) const override {
-    return view_.importance(raster) / price_;
-  }
 
  private:
   const ChainView& view_;
   double most_;
-  float price_;
   TechniqueErrors& errors_;
   Vec2 raster_{0.F, 0.F};
 };
@@ -101,9 +97,6 @@ std::uint64_t TechniquePilot::begin() {
                               SelectivePreparation::omc_parameters(path_family_defaults("bdpt")));
   sampler_.heuristic = Heuristic::Balance;
   sampler_.shares_by_class = true;
-  if (prepared_.config.efficient_roulette) {
-    sampler_.camera_rest = static_cast<float>(prepared_.brightness);
-  }
   std::vector<ByTechniqueClass<double>> counts;
   for (const PathFamilyDefaults& offer : technique_offers()) {
     counts.push_back(relative_counts(offer));
@@ -138,24 +131,37 @@ void TechniquePilot::run(std::uint64_t item, Counters& counters) {
 
 void TechniquePilot::end() {
   if (found_.empty()) return;
-  Found all = std::move(found_.front());
-  for (std::size_t i = 1; i < found_.size(); ++i) {
-    all.errors += found_[i].errors;
-    all.rays += found_[i].rays;
-    all.rays_by_use += found_[i].rays_by_use;
+  const std::vector<Found> found = std::move(found_);
+  double rays = 0.0;
+  RaysByUse by_use;
+  for (const Found& one : found) {
+    rays += one.rays;
+    by_use += one.rays_by_use;
   }
-  found_.clear();
   const std::vector<PathFamilyDefaults> offers = technique_offers();
-  std::vector<double> errors;  // after equal time
+  // Errors that are seen after equal time. Items stand for pixels: few of them have met what is
+  // rare, and these do not decide alone.
+  std::vector<double> errors;
   for (std::size_t i = 0; i < offers.size(); ++i) {
-    errors.push_back(all.errors.variance(i, SelectiveHeuristics::kLeftBySobol) *
-                     rays_with(relative_counts(offers[i]), all.rays, all.rays_by_use));
+    double sum = 0.0;
+    for (const Found& one : found) {
+      sum += visible_error(std::max(0.0, one.errors.variance(i)));
+    }
+    errors.push_back(variance_of(sum / static_cast<double>(found.size())) *
+                     rays_with(relative_counts(offers[i]), rays, by_use));
   }
   const double least = *std::min_element(errors.begin(), errors.end());
-  if (!(least >= 0.0 && std::isfinite(least))) return;
+  if (!std::isfinite(least)) return;
   for (std::size_t i = 0; i < offers.size() && !chosen_; ++i) {
-    if (errors[i] <= SelectiveHeuristics::kClearlyFaster * least) chosen_ = offers[i];
+    if (errors[i] > SelectiveHeuristics::kClearlyFaster * least) continue;
+    // Light that a few thousand samples have not met is no error to them.
+    if (misses_light(offers[i]) && !misses_light(offers.back())) continue;
+    chosen_ = offers[i];
   }
+}
+
+bool TechniquePilot::misses_light(const PathFamilyDefaults& offer) const {
+  return prepared_.make_omc(offer, prepared_.config.settings)->findings().misses_light;
 }
 
 }  // namespace ajar

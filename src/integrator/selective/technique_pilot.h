@@ -33,6 +33,8 @@ class TechniquePilot final : public PreparationStage {
     double rays = 0.0;
     RaysByUse rays_by_use;
   };
+  bool misses_light(const PathFamilyDefaults& offer) const;
+
   const SelectivePreparation& prepared_;
   PathSamplerSettings sampler_;
   std::vector<Found> found_;  ///< item by item
