@@ -9,15 +9,21 @@
 namespace ajar {
 namespace {
 
+/// `selective` has chains where it is told where they begin.
+test::RenderOptions options_of(const test::KnownPicture& known, const std::string& integrator) {
+  test::RenderOptions options = known.options;
+  options.integrator = integrator;
+  options.for_filters = true;
+  if (integrator == "selective") options.parameters = {{"split", "1"}};
+  return options;
+}
+
 /// All methods of the registry that have one.
 std::vector<std::string> methods_with_two_estimates() {
   const test::KnownPicture known = test::known_picture("GlassAndMetal", 8);
   std::vector<std::string> names;
   for (const IntegratorInfo& info : integrators()) {
-    test::RenderOptions options = known.options;
-    options.integrator = info.name;
-    options.for_filters = true;
-    const test::Render render = test::render(*known.scene, options);
+    const test::Render render = test::render(*known.scene, options_of(known, info.name));
     const auto layers = render.film->layers();
     const bool has_other = std::any_of(layers.begin(), layers.end(), [](const LayerSpec& layer) {
       return !layer.instead_of.empty();
@@ -38,10 +44,7 @@ TEST(OtherEstimates, HaveTheExpectationOfThePicture) {
   EXPECT_GE(names.size(), 2U);
   const test::KnownPicture known = test::known_picture("GlassAndMetal", 128);
   for (const std::string& name : names) {
-    test::RenderOptions options = known.options;
-    options.integrator = name;
-    options.for_filters = true;
-    const test::Render render = test::render(*known.scene, options);
+    const test::Render render = test::render(*known.scene, options_of(known, name));
     const PictureEstimates estimates = estimates_of_render(render);
     test::expect_same(estimates.others, test::replicates_of(known.truth), *render.film, 0.1,
                       name + ", the other estimate");

@@ -16,9 +16,9 @@ std::uint64_t round_up(std::uint64_t value, std::uint64_t multiple) {
 
 }  // namespace
 
-double seconds_of_passes(double limit, double before, double after) {
-  const double left = std::max(0.0, limit - before);
-  return left - std::min(after, 0.5 * left);
+double seconds_of_passes(double limit, double before, double kept, double after) {
+  const double left = std::max(0.0, limit - (before - kept));
+  return std::max(0.0, left - std::min(after, 0.5 * left) - kept);
 }
 
 PassSchedule::PassSchedule(const Budget& budget, int replicates, double pass_seconds)

@@ -14,9 +14,10 @@ struct Budget {
   bool is_empty() const { return !samples_per_pixel && !seconds && !target_error; }
 };
 
-/// Seconds that passes may take of a limit: what comes before them has taken `before`, and `after`
-/// is expected of what follows. If that is more than half of what is left, they take half.
-double seconds_of_passes(double limit, double before, double after);
+/// Seconds that passes may take of a limit: what comes before them has taken `before`, of which
+/// `kept` were for samples of the picture, and `after` is expected of what follows. If that is more
+/// than half of what is left for the picture, its samples take half.
+double seconds_of_passes(double limit, double before, double kept, double after);
 
 /// Statistics for planning the next pass.
 struct PassHistory {

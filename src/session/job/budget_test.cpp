@@ -66,10 +66,14 @@ TEST(PassSchedule, DoesNotBeginWhatLiesBeyondTheTimeLimit) {
 }
 
 TEST(SecondsOfPasses, LeaveTimeForWhatFollows) {
-  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 2.0, 3.0), 15.0);
-  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 2.0, 0.0), 18.0);
-  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 2.0, 100.0), 9.0) << "half of what is left";
-  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 30.0, 3.0), 0.0);
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 2.0, 0.0, 3.0), 15.0);
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 2.0, 0.0, 0.0), 18.0);
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 2.0, 0.0, 100.0), 9.0) << "half of what is left";
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 30.0, 0.0, 3.0), 0.0);
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 6.0, 4.0, 3.0), 11.0)
+      << "samples that are kept are passes";
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 6.0, 4.0, 100.0), 5.0);
+  EXPECT_DOUBLE_EQ(seconds_of_passes(20.0, 16.0, 14.0, 100.0), 0.0);
 }
 
 TEST(PassSchedule, AlwaysHasAFirstPass) {

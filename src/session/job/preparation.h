@@ -61,6 +61,8 @@ class Preparation {
   PreparationEnd end() const { return end_; }
   /// Completed rounds.
   std::uint64_t rounds() const { return rounds_; }
+  /// Time of rounds whose samples stay in the picture.
+  double seconds_kept() const { return seconds_kept_; }
   /// At any time, from any thread: estimate, 0…1.
   double fraction_done() const;
   double seconds() const { return limits_.clock ? limits_.clock() - began_ : clock_.seconds(); }

@@ -68,6 +68,7 @@ void prepare(RenderState& state) {
                                                                        : PreparationCut::Time;
   }
   state.preparation_rounds = preparation.rounds();
+  state.kept_seconds = preparation.seconds_kept();
   state.has_begun = preparation.end() != PreparationEnd::Interrupted;
 }
 

@@ -61,8 +61,8 @@ RenderJobOptions job_options(RenderState& state, std::vector<PassObserver*> obse
   options.budget = state.plan->setup.budget;
   // A time limit covers everything after loading.
   if (options.budget.seconds) {
-    options.budget.seconds =
-        seconds_of_passes(*options.budget.seconds, state.other_seconds, state.filter_seconds);
+    options.budget.seconds = seconds_of_passes(*options.budget.seconds, state.other_seconds,
+                                               state.kept_seconds, state.filter_seconds);
   }
   options.threads = state.request.spec.threads;
   options.estimate_error = [&integrator = *state.integrator](const Film& film,
