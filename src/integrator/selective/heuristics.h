@@ -61,9 +61,11 @@ struct SelectiveHeuristics {
   static constexpr std::uint64_t kBrightnessSamples = 4096;
 
   // -------------------------------------------------------- pilot of techniques
-  /// Places on the film with two camera samples each.
-  /// Unit: places. Range: a multiple of 16. Source: docs/notebook/selective.md, "Half and double".
-  static constexpr std::uint64_t kPilotPlaces = 2048;
+  /// Places on the film with two groups of camera samples each.
+  /// Unit: places. Range: a multiple of 16. Source: docs/notebook/selective.md, "Which techniques".
+  static constexpr std::uint64_t kPilotPlaces = 1024;
+  /// Unit: samples. Range: >= 2. Source: the same; half and double not measured.
+  static constexpr std::uint32_t kSamplesOfGroup = 2;
   /// Techniques with fewer rays are taken unless the error of others in the same time is less by
   /// this factor.
   /// Unit: error over error. Range: >= 1. Source: docs/notebook/selective.md, "Which techniques".

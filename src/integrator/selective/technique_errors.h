@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,16 +22,26 @@ class TechniqueErrors {
   /// `counts`: offer by offer, n'_t / n_t; 1 of implicit and explicit techniques.
   explicit TechniqueErrors(const std::vector<ByTechniqueClass<double>>& counts);
 
-  /// Two samples follow, independent of each other.
+  /// Two groups of samples of one place follow, independent of each other, sample by sample in
+  /// turns. Those of a group may be as well distributed as a pixel's are.
   void begin_place();
   void begin_sample();
   /// A contribution: F (any unit), the class that found it, and the shares w_t of all classes.
   void add(double light, TechniqueClass found_by, const ByTechniqueClass<float>& shares);
   void end_sample();
+  void end_place();
 
   /// Mean over places of the variance of a sample; infinite for offers that cannot find what was
-  /// found. Below 0 only by noise. NaN without samples.
-  double variance(std::size_t offer) const;
+  /// found. Below 0 only by noise. NaN without samples. `left_of_own`: by well distributed points,
+  /// of the variance of what camera paths bring alone.
+  double variance(std::size_t offer, double left_of_own = 1.0) const;
+  /// Variance of what camera paths bring alone, summed over places: of a sample, and that of a
+  /// group's mean times its samples, which is less if they are well distributed.
+  struct Spread {
+    double of_samples = 0.0;
+    double of_groups = 0.0;
+  };
+  const Spread& spread_of_own(std::size_t offer) const { return offers_[offer].spread; }
 
  private:
   /// Sums over a sample.
@@ -44,11 +55,17 @@ class TechniqueErrors {
     ByTechniqueClass<double> counts;
     double second_moment = 0.0;
     double mean_square = 0.0;  ///< product of a place's two samples
+    double own_second_moment = 0.0;
+    double own_mean_square = 0.0;
+    Spread spread;
     Sample now;
-    Sample first;  ///< sample before, of the same place; nothing until it is over
+    Sample before;                   ///< the sample before, of the other group
+    std::array<double, 2> own_sums;  ///< own light of the place's groups
+    double own_differences = 0.0;    ///< squares of those of its pairs of samples
   };
   std::vector<Offer> offers_;
   std::uint64_t samples_ = 0;
+  std::uint64_t of_place_ = 0;  ///< samples of the place
 };
 
 }  // namespace ajar

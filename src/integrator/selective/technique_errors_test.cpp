@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -69,6 +70,7 @@ TechniqueErrors tried(const std::vector<double>& light_paths, int places) {
       find(std::sqrt(uniform(random)), TechniqueClass::Light);
       errors.end_sample();
     }
+    errors.end_place();
   }
   return errors;
 }
@@ -150,6 +152,31 @@ TEST(TechniqueErrors, AreInfiniteWhereATechniqueIsMissing) {
   }
   EXPECT_TRUE(std::isinf(errors.variance(0)));
   EXPECT_EQ(errors.variance(1), 1.0);
+}
+
+/// The sum of a camera sample's x and of the other group's: x of a group are 1/4 apart.
+TEST(TechniqueErrors, SeeHowWellSamplesAreDistributed) {
+  constexpr int kSamples = 4;
+  TechniqueErrors errors({counts_with(0.0)});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform;
+  ByTechniqueClass<float> by_next_event{};
+  by_next_event[index_of(TechniqueClass::NextEvent)] = 1.F;
+  for (int place = 0; place < 20000; ++place) {
+    const std::array<double, 2> start = {uniform(random), uniform(random)};
+    errors.begin_place();
+    for (int i = 0; i < 2 * kSamples; ++i) {
+      errors.begin_sample();
+      const double x = std::fmod(start[static_cast<std::size_t>(i % 2)] + 0.25 * (i / 2), 1.0);
+      errors.add(x, TechniqueClass::NextEvent, by_next_event);
+      errors.end_sample();
+    }
+    errors.end_place();
+  }
+  // The mean of four is even in an interval of 1/4: 1/16 of the variance of a sample, times 4.
+  const TechniqueErrors::Spread& spread = errors.spread_of_own(0);
+  EXPECT_NEAR(spread.of_groups / spread.of_samples, 0.25, 0.01);
+  EXPECT_NEAR(errors.variance(0, 0.25), 0.25 / 12.0, 0.001);
 }
 
 }  // namespace

@@ -87,7 +87,8 @@ TechniquePilot::TechniquePilot(const SelectivePreparation& prepared) : prepared_
 
 double TechniquePilot::effort() const {
   if (!prepared_.config.chooses_techniques) return 0.0;
-  return static_cast<double>(2 * SelectiveHeuristics::kPilotPlaces) /
+  return static_cast<double>(2 * SelectiveHeuristics::kSamplesOfGroup *
+                             SelectiveHeuristics::kPilotPlaces) /
          static_cast<double>(prepared_.pixels());
 }
 
@@ -112,17 +113,19 @@ void TechniquePilot::run(std::uint64_t item, Counters& counters) {
   for (std::uint64_t place = 0; place < kTrialPlaces; ++place) {
     const std::uint64_t seed =
         hash_numbers(prepared_.config.settings.seed, RandomUse::TechniqueTrial, item, place);
-    Vec2 raster(0.F, 0.F);
-    for (std::uint32_t i = 0; i < 2; ++i) {
-      IndependentSource source({seed, i, hash_numbers(seed, RandomUse::TechniqueLight), i});
-      if (i == 0) {
-        raster = prepared_.view.raster(source.get_pair({Stream::Camera, 0, kEmissionDirection}));
-        sink.begin_place(raster);
-      }
+    const std::uint64_t light_seed = hash_numbers(seed, RandomUse::TechniqueLight);
+    const Vec2 raster =
+        prepared_.view.raster(IndependentSource({seed, 0, light_seed, 0})
+                                  .get_pair({Stream::Camera, 0, kEmissionDirection}));
+    sink.begin_place(raster);
+    // As a render has it: camera paths of a pixel are well distributed, light paths are not.
+    for (std::uint32_t i = 0; i < 2 * SelectiveHeuristics::kSamplesOfGroup; ++i) {
+      SobolSource source({hash_numbers(seed, i % 2), i / 2, hash_numbers(light_seed, i), 0});
       found.errors.begin_sample();
       sampler.sample(source, raster, sink);
       found.errors.end_sample();
     }
+    found.errors.end_place();
   }
   found.rays = static_cast<double>(sampler.rays());
   found.rays_by_use = sampler.rays_by_use();
@@ -143,9 +146,15 @@ void TechniquePilot::end() {
   // rare, and these do not decide alone.
   std::vector<double> errors;
   for (std::size_t i = 0; i < offers.size(); ++i) {
+    TechniqueErrors::Spread own;
+    for (const Found& one : found) {
+      own.of_samples += one.errors.spread_of_own(i).of_samples;
+      own.of_groups += one.errors.spread_of_own(i).of_groups;
+    }
+    const double left = own.of_samples > 0.0 ? std::min(1.0, own.of_groups / own.of_samples) : 1.0;
     double sum = 0.0;
     for (const Found& one : found) {
-      sum += visible_error(std::max(0.0, one.errors.variance(i)));
+      sum += visible_error(std::max(0.0, one.errors.variance(i, left)));
     }
     errors.push_back(variance_of(sum / static_cast<double>(found.size())) *
                      rays_with(relative_counts(offers[i]), rays, by_use));
