@@ -127,7 +127,7 @@ TEST_F(Cli, ASceneWithoutLightIsAWarning) {
 
 TEST_F(Cli, NotesNameTheDifficultiesOfAPicture) {
   const auto notes_of = [&](const std::string& scene) {
-    return run({"render", "builtin:" + scene, "--spp", "4", "--resolution", "48x36", "--progress",
+    return run({"render", "builtin:" + scene, "--spp", "4", "--resolution", "96x72", "--progress",
                 "none", "-o", "a.pfm"})
         .err;
   };

@@ -75,7 +75,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"transport/branches.h", {"size of an array", {"kMost"}}},
       {"transport/efficiency_cells.cpp",
        {"kinds of vertices, and an octree",
-        {"kKinds", "kInMedium", "kSpecular", "kChildren", "kLevelsInTable"}}},
+        {"kKinds", "kInMedium", "kSpecular", "kChildren", "kLevelsInTable", "kAcross"}}},
       {"transport/efficiency_cells.cpp", {"precision of places", {"kLevels", "kPlaces"}}},
       {"transport/efficiency_cells.cpp",
        {"fixed point", {"kMostLight", "kLightQuanta", "kSquareQuanta"}}},

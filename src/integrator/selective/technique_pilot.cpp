@@ -118,7 +118,7 @@ void TechniquePilot::run(std::uint64_t item, Counters& counters) {
         prepared_.view.raster(IndependentSource({seed, 0, light_seed, 0})
                                   .get_pair({Stream::Camera, 0, kEmissionDirection}));
     sink.begin_place(raster);
-    // As a render has it: camera paths of a pixel are well distributed, light paths are not.
+    // In a render camera paths of a pixel are well distributed, light paths are not.
     for (std::uint32_t i = 0; i < 2 * SelectiveHeuristics::kSamplesOfGroup; ++i) {
       SobolSource source({hash_numbers(seed, i % 2), i / 2, hash_numbers(light_seed, i), 0});
       found.errors.begin_sample();

@@ -42,7 +42,7 @@ struct RenderState {
   std::uint64_t preparation_rounds = 0;
   std::optional<PreparationCut> unprepared{};  ///< why the preparation was cut short, if it was
   double other_seconds = 0.0;       ///< seconds of building and preparing, all runs together
-  double kept_seconds = 0.0;        ///< those of them that were for samples of the picture
+  double kept_seconds = 0.0;        ///< share of samples that stay in the picture
   double filter_seconds = 0.0;      ///< expected time of filtering the finished picture
   std::uint64_t passes_before = 0;  ///< passes of earlier runs
 
