@@ -31,7 +31,6 @@ enum class RandomUse : std::uint64_t {
   DarkPilot = 0x91a17,
   DivisionPilot = 0x9e9107,
   SurfacePilot = 0x50fa3,
-  RouletteTrial = 0x4071e77e,
   RouletteScramble = 1,  ///< their points
   TechniqueTrial = 0x11997,
   TechniqueLight = 0x711e5,  ///< light subpaths of a place

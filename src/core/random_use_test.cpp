@@ -32,7 +32,6 @@ bool is_named(RandomUse use) {
     case RandomUse::BrightnessPilot:
     case RandomUse::DivisionPilot:
     case RandomUse::SurfacePilot:
-    case RandomUse::RouletteTrial:
     case RandomUse::RouletteScramble:
     case RandomUse::TechniqueTrial:
     case RandomUse::TechniqueLight:

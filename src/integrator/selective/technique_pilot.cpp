@@ -163,8 +163,8 @@ void TechniquePilot::end() {
   if (!std::isfinite(least)) return;
   for (std::size_t i = 0; i < offers.size() && !chosen_; ++i) {
     if (errors[i] > SelectiveHeuristics::kClearlyFaster * least) continue;
-    // Light that a few thousand samples have not met is no error to them.
-    if (misses_light(offers[i]) && !misses_light(offers.back())) continue;
+    // Light that is there and that these samples have not met: they cannot judge.
+    if (misses_light(offers[i]) && !misses_light(offers.back())) return;
     chosen_ = offers[i];
   }
 }

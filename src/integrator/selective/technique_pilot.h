@@ -23,7 +23,7 @@ class TechniquePilot final : public PreparationStage {
   std::uint64_t begin() override;
   void run(std::uint64_t item, Counters& counters) override;
   void end() override;
-  /// The offer of least error; empty if nothing was found.
+  /// The offer of least error; empty if nothing was found, or not all there is.
   const std::optional<PathFamilyDefaults>& chosen() const { return chosen_; }
 
  private:
