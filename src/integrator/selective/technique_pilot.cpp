@@ -164,13 +164,13 @@ void TechniquePilot::end() {
   for (std::size_t i = 0; i < offers.size() && !chosen_; ++i) {
     if (errors[i] > SelectiveHeuristics::kClearlyFaster * least) continue;
     // Light that is there and that these samples have not met: they cannot judge.
-    if (misses_light(offers[i]) && !misses_light(offers.back())) return;
+    if (blind_spots_of(offers[i]) > blind_spots_of(offers.back())) return;
     chosen_ = offers[i];
   }
 }
 
-bool TechniquePilot::misses_light(const PathFamilyDefaults& offer) const {
-  return prepared_.make_omc(offer, prepared_.config.settings)->findings().misses_light;
+std::size_t TechniquePilot::blind_spots_of(const PathFamilyDefaults& offer) const {
+  return prepared_.make_omc(offer, prepared_.config.settings)->findings().concerns.size();
 }
 
 }  // namespace ajar

@@ -33,7 +33,8 @@ class TechniquePilot final : public PreparationStage {
     double rays = 0.0;
     RaysByUse rays_by_use;
   };
-  bool misses_light(const PathFamilyDefaults& offer) const;
+  /// Kinds of light that an offer misses, or finds by chance alone.
+  std::size_t blind_spots_of(const PathFamilyDefaults& offer) const;
 
   const SelectivePreparation& prepared_;
   PathSamplerSettings sampler_;
