@@ -35,10 +35,10 @@ struct PostHeuristics {
   // Studies: docs/notebook/denoising.md, "What is mixed".
 
   /// Patch over which the errors of estimates are averaged.
-  /// Unit: pixels, standard deviation of a Gaussian. Range: [1, 32]. Source: 5def0ef; with double
-  /// of it, trimmed relMSE of pool is 0.092 and 0.085 instead of 0.085 and 0.082, of torus-in-glass
-  /// the same.
-  static constexpr double kErrorPatch = 4.0;
+  /// Unit: pixels, standard deviation of a Gaussian. Range: [1, 32]. Source:
+  /// docs/notebook/denoising.md, "What is mixed": half of it leaves specks of raw pixels, since two
+  /// halves tell little; double not measured.
+  static constexpr double kErrorPatch = 8.0;
   /// Differences of filtered and unfiltered replicates count at most so much.
   /// Unit: the filtered picture. Range: >= 1. Source: 5def0ef; half and double not told
   /// from it.
