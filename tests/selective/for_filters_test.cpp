@@ -53,6 +53,19 @@ TEST(OtherEstimates, HaveTheExpectationOfThePicture) {
   }
 }
 
+/// Two estimates that are the same would cost filters twice the time.
+TEST(OtherEstimates, AreLeftOutWhereChainsMakeNothing) {
+  const Scene scene = test::builtin_scene("cornell");
+  test::RenderOptions options;
+  options.integrator = "selective";
+  options.replicates = 4;
+  options.samples = 4;
+  options.for_filters = true;
+  const test::Render render = test::render(scene, options);
+  EXPECT_EQ(render.counters.mutations, 0U);
+  EXPECT_TRUE(estimates_of_render(render).others.empty());
+}
+
 /// Splats through boxes: of methods that have nothing else, equal to the film of a box up to
 /// rounding. (Camera samples are drawn from the filter.)
 TEST(ForFilters, SplatsHaveBoxes) {

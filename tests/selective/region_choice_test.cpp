@@ -131,6 +131,19 @@ TEST_F(RegionChoiceTest, ChainsAreHopelessWhereEvenFirefliesDoNotPay) {
   EXPECT_FALSE(choose(kBad).has_hope());
 }
 
+/// A lucky sample of any strength.
+TEST_F(RegionChoiceTest, ALittleGainIsNoHope) {
+  int looked_at = 0;
+  for (float strength = 10.F; strength < 1e6F; strength *= 1.1F) {
+    found_.front() = path(0, strength);
+    const RegionChoice choice = choose(300.0);
+    if (!choice.hoped_error || *choice.hoped_error < 0.75 || *choice.hoped_error > 0.95) continue;
+    ++looked_at;
+    EXPECT_TRUE(choice.is_hopeless()) << *choice.hoped_error;
+  }
+  EXPECT_GT(looked_at, 0);
+}
+
 TEST_F(RegionChoiceTest, SeveralSamplesTurnTheDecision) {
   constexpr double kFair = 5.0;
   const double before = threshold(kFair);
