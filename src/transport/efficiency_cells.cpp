@@ -162,13 +162,17 @@ EfficiencyCells::Worth EfficiencyCells::worth_of(const Sums& sums) const {
   return {{root(sums.rest[0], false), root(sums.rest[1], false)}, root(sums.whole, true)};
 }
 
+std::int64_t EfficiencyCells::visits_of(const Sums& sums) {
+  return std::max(sums.whole.samples, sums.rest[0].samples + sums.rest[1].samples);
+}
+
 void EfficiencyCells::refine() {
   // Children are added at the end, and looked at in their turn.
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_[i].children != 0 || nodes_[i].level == kLevels) continue;
     const std::uint32_t first = nodes_[i].cells;
     std::int64_t samples = 0;
-    for (std::uint32_t k = 0; k < kKinds; ++k) samples += sums_[first + k].whole.samples;
+    for (std::uint32_t k = 0; k < kKinds; ++k) samples += visits_of(sums_[first + k]);
     if (samples < TransportHeuristics::kMostSamplesOfLeaf) continue;
     if (worths_.size() + (kChildren - 1) * kKinds > TransportHeuristics::kMostCells) return;
     nodes_[i].children = static_cast<std::uint32_t>(nodes_.size());

@@ -9,9 +9,9 @@
 
 namespace ajar {
 
-/// Estimates, place by place, of what the samples of camera paths bring at a vertex, and how many
-/// rays that takes: for Russian roulette and splitting by efficiency. Source: Rath et al. 2022,
-/// "EARS: Efficiency-Aware Russian Roulette and Splitting".
+/// Estimates, place by place, of what the samples of paths bring at a vertex, and how many rays
+/// that takes: for Russian roulette and splitting by efficiency. Source: Rath et al. 2022, "EARS:
+/// Efficiency-Aware Russian Roulette and Splitting".
 ///
 /// The product of a picture's variance and rays is smallest if a path of throughput β, seen by a
 /// pixel with a ray's price P (`PathSink::rays_per_unit_light` is 1/P), has at a vertex
@@ -22,6 +22,10 @@ namespace ajar {
 /// its rays. Below 1, we judge the direction that was drawn, by the light that comes from such
 /// directions; the connection to a lamp has a roulette of its own. Above 1, we judge the connection
 /// and the direction together, as they are repeated together.
+///
+/// Light subpaths have cells of their own, and roulette alone. What they bring reaches many pixels,
+/// so it is counted in the rays that it is worth there, P being 1; β is the throughput over that
+/// with which they set out.
 ///
 /// Cells are those of an octree, times a few kinds of vertices. They are frozen for a round, while
 /// sums for the next one are gathered. Sums are integers, so that no order of threads changes a
@@ -106,6 +110,8 @@ class EfficiencyCells {
   void add(Moments& moments, double light, std::uint64_t rays) const;
   /// Fills the table.
   void list_places();
+  /// Light subpaths tell of directions alone, and camera subpaths also of those that end.
+  static std::int64_t visits_of(const Sums& sums);
   /// Divides leaves until none of them has too many samples.
   void refine();
   bool is_tree() const;

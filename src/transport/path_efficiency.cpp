@@ -58,6 +58,40 @@ bool PathSampler::split(const PathVertex& vertex, std::uint32_t cell, const Flig
   return true;
 }
 
+bool PathSampler::depart_from(const PathVertex& vertex, SampleSource& source, const PathSink& sink,
+                              Flight& flight) {
+  if (settings_.light_cells == nullptr) return scatter(light_walk_, vertex, source, flight);
+  const std::uint32_t cell = settings_.light_cells->find(vertex);
+  const EfficiencyCells::Worth& worth = settings_.light_cells->worth(cell);
+  if (!scatter(light_walk_, vertex, source, flight,
+               {worth.rest[0] * flight.roulette_scale, worth.rest[1] * flight.roulette_scale})) {
+    return false;
+  }
+  if (learns_of_light_) {
+    light_departures_.push_back({.cell = cell,
+                                 .specular = flight.specular,
+                                 .left_with = flight.throughput.max() * flight.roulette_scale,
+                                 .first_vertex = light_vertex_count_,
+                                 .brought = sink.brought_to_lens(),
+                                 .rays = rays_.rays});
+  }
+  return true;
+}
+
+void PathSampler::learn_of_light() {
+  for (const LightDeparture& from : light_departures_) {
+    double brought = from.brought;
+    std::uint64_t rays = from.rays;
+    for (std::size_t i = from.first_vertex; i < from.end_vertex; ++i) {
+      brought += inner_connections_[i].brought;
+      rays += inner_connections_[i].rays;
+    }
+    settings_.light_cells->add_rest(from.cell, from.specular,
+                                    brought / static_cast<double>(from.left_with), rays);
+  }
+  light_departures_.clear();
+}
+
 void PathSampler::learn(std::size_t first, const PathSink& sink) {
   if (departures_.size() == first) return;
   const double brought = sink.brought();

@@ -19,7 +19,10 @@ PathSampler::PathSampler(const Scene& scene, const PathSamplerSettings& settings
   const TechniqueSet& set = settings_.techniques;
   const auto depth = static_cast<std::size_t>(std::max(0, settings.max_depth));
   const auto subpaths = static_cast<std::size_t>(std::ceil(settings.light_subpaths));
-  if (has(TechniqueClass::Inner)) light_vertices_.resize(subpaths * depth);
+  if (has(TechniqueClass::Inner)) {
+    light_vertices_.resize(subpaths * depth);
+    inner_connections_.resize(subpaths * depth);
+  }
   if (keeps_trails_) {
     camera_trail_.resize(depth + 1);
     light_trails_.resize(subpaths * (depth + 1));
@@ -86,6 +89,8 @@ SegmentEnd PathSampler::trace(const WalkSettings& walk, const Flight& flight,
 
 void PathSampler::sample(SampleSource& source, const Vec2& raster, PathSink& sink) {
   light_vertex_count_ = 0;
+  learns_ = sink.learns();
+  learns_of_light_ = sink.learns_of_light();
   if (has(TechniqueClass::Inner)) {
     const double whole = std::floor(settings_.light_subpaths);
     const double rest = settings_.light_subpaths - whole;
@@ -97,10 +102,13 @@ void PathSampler::sample(SampleSource& source, const Vec2& raster, PathSink& sin
     for (int i = 0; i < subpaths; ++i) trace_light(source, sink, i);
   }
   trace_camera(source, raster, sink);
+  learn_of_light();
 }
 
 void PathSampler::sample_light(SampleSource& source, PathSink& sink) {
+  learns_of_light_ = sink.learns_of_light();
   trace_light(source, sink, 0);
+  learn_of_light();
 }
 
 bool PathSampler::start_light(SampleSource& source, int repeat, PathSink& sink, LightStart& start) {
@@ -172,6 +180,17 @@ bool PathSampler::next_light_vertex(LightStart& start, SampleSource& source, Pat
 void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) {
   LightStart start;
   if (!start_light(source, repeat, sink, start)) return;
+  const std::size_t first = light_departures_.size();
+  walk_light(start, source, sink);
+  for (std::size_t i = first; i < light_departures_.size(); ++i) {
+    LightDeparture& from = light_departures_[i];
+    from.brought = sink.brought_to_lens() - from.brought;
+    from.rays = rays_.rays - from.rays;
+    from.end_vertex = light_vertex_count_;
+  }
+}
+
+void PathSampler::walk_light(LightStart& start, SampleSource& source, PathSink& sink) {
   Flight& flight = start.flight;
   // A light subpath of n edges takes part in paths of at least n + 1 edges.
   while (flight.edges + 2 <= settings_.max_depth) {
@@ -179,9 +198,12 @@ void PathSampler::trace_light(SampleSource& source, PathSink& sink, int repeat) 
     if (!next_light_vertex(start, source, sink, vertex)) return;
     if (vertex.connectible()) {
       if (wants({vertex.edges + 1, 1})) connect_to_camera(vertex, source, sink);
-      if (has(TechniqueClass::Inner)) light_vertices_[light_vertex_count_++] = vertex;
+      if (has(TechniqueClass::Inner)) {
+        inner_connections_[light_vertex_count_] = {};
+        light_vertices_[light_vertex_count_++] = vertex;
+      }
     }
-    if (!scatter(light_walk_, vertex, source, flight)) return;
+    if (!depart_from(vertex, source, sink, flight)) return;
     if (flight.edges + flight.surplus + 2 > settings_.counted.maximum) return;
     sink.scattered(Stream::Light, vertex, flight);
   }
@@ -236,7 +258,6 @@ void PathSampler::leave_scene(const Flight& flight, const SegmentEnd& end, PathS
 }
 
 void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink) {
-  learns_ = sink.learns();
   Flight flight;
   if (start_camera(source, raster, sink, flight)) follow_camera(flight, source, sink);
 }
@@ -293,7 +314,12 @@ void PathSampler::connect_to_light_subpaths(const PathVertex& vertex, SampleSour
                                             PathSink& sink) {
   if (!vertex.connectible()) return;
   for (std::size_t i = 0; i < light_vertex_count_; ++i) {
+    const double brought = sink.brought();
+    const std::uint64_t rays = rays_.rays;
     connect_inner(vertex, light_vertices_[i], source, sink);
+    inner_connections_[i].brought +=
+        (sink.brought() - brought) * static_cast<double>(rays_per_unit_light_);
+    inner_connections_[i].rays += rays_.rays - rays;
   }
 }
 

@@ -54,8 +54,13 @@ class PathSink {
   /// Luminance that all contributions of camera subpaths together have brought, in units of
   /// `Contribution::value`: what of it efficiency is judged by (`PathSamplerSettings::cells`).
   virtual double brought() const { return 0.0; }
+  /// Rays that all light is worth which light subpaths have brought to the lens.
+  virtual double brought_to_lens() const { return 0.0; }
   /// True if the cells are told of the next camera subpath.
   virtual bool learns() const { return false; }
+  /// True if they are told of the light subpaths that belong to it; only where it is known what
+  /// light is worth.
+  virtual bool learns_of_light() const { return false; }
   /// The first surface or medium vertex the camera sees, at `distance` from it; `hit` is null for a
   /// medium vertex.
   virtual void first_vertex(const PathVertex& /*vertex*/, const Hit* /*hit*/, float /*distance*/) {}
@@ -85,6 +90,9 @@ struct PathSamplerSettings {
   /// Camera subpaths survive and are split by what is known here, and tell it what they bring;
   /// null: roulette follows the throughput alone. Must outlive the sampler.
   EfficiencyCells* cells = nullptr;
+  /// Light subpaths survive by what is known here, by the rays that their light is worth; null:
+  /// roulette follows the throughput alone.
+  EfficiencyCells* light_cells = nullptr;
   bool splits = true;  ///< camera subpaths may be split, if there are cells
   /// Makes `Contribution::shares`, at a few more operations for each vertex of each connection.
   bool shares_by_class = false;
@@ -176,6 +184,8 @@ class PathSampler {
   void implicit(SampleSource& source, const Vec2& raster, int vertices, PathSink& sink,
                 Observer& observer);
   void trace_light(SampleSource& source, PathSink& sink, int repeat);
+  /// The rest of a light subpath.
+  void walk_light(LightStart& start, SampleSource& source, PathSink& sink);
   void trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink);
   /// The rest of a camera subpath, and of all it is split into.
   void follow_camera(Flight& flight, SampleSource& source, PathSink& sink);
@@ -197,6 +207,27 @@ class PathSampler {
     std::uint64_t rays_before;
     std::uint64_t rays_there = 0;
   };
+  /// A light subpath at one of its vertices, to be told what it brought from there on.
+  struct LightDeparture {
+    std::uint32_t cell;
+    bool specular;
+    float left_with;  ///< throughput over that with which it set out, largest lane
+    // Its later vertices that may be connected: the first, and one past the last.
+    std::size_t first_vertex;
+    std::size_t end_vertex = 0;
+    double brought;  ///< to the lens, rays; before it left, then since
+    std::uint64_t rays;
+  };
+  /// Connections of a light vertex to those of a camera subpath.
+  struct InnerConnections {
+    double brought = 0.0;  ///< rays that their light is worth
+    std::uint64_t rays = 0;
+  };
+  /// False if the subpath ends at this vertex.
+  bool depart_from(const PathVertex& vertex, SampleSource& source, const PathSink& sink,
+                   Flight& flight);
+  /// Tells cells what light subpaths have brought.
+  void learn_of_light();
   /// One sample at a vertex: a connection to a lamp, and a direction. False if it ends there.
   bool sample_vertex(const PathVertex& vertex, std::uint32_t cell, SampleSource& source,
                      PathSink& sink, Flight& flight);
@@ -289,6 +320,9 @@ class PathSampler {
   Branches branches_;                 ///< place of the current camera subpath
   bool learns_ = false;               ///< cells are told of it
   std::vector<Departure> departures_;
+  bool learns_of_light_ = false;
+  std::vector<LightDeparture> light_departures_;
+  std::vector<InnerConnections> inner_connections_;  ///< light vertex by light vertex
   RayCounts rays_;
   RaysByUse rays_by_use_;
 };

@@ -78,6 +78,13 @@ Result sampled(const Scene& scene, const std::string& techniques, EfficiencyCell
   settings.techniques = TechniqueSet::parse(techniques);
   settings.max_depth = kMostEdges;
   settings.cells = cells;
+  // Few light subpaths survive at some places.
+  EfficiencyCells light_cells(scene.bounds(), 1.0);
+  for (std::uint32_t cell = 0; cell < 8; cell += 2) {
+    for (int i = 0; i < 64; ++i) light_cells.add_rest(cell, i % 2 == 0, 0.3, 1);
+  }
+  light_cells.end_round();
+  if (cells != nullptr) settings.light_cells = &light_cells;
   PathSampler sampler(scene, settings);
   const Vec2 size(scene.camera().resolution());
   Result result;
@@ -120,6 +127,50 @@ TEST(EfficientPaths, BringTheSameLightWhateverCellsClaim) {
       }
     }
   }
+}
+
+/// A lens that light paths reach from everywhere, or not at all.
+class LensSink final : public PathSink {
+ public:
+  explicit LensSink(bool sees) : sees_(sees) {}
+  void add(const Contribution& /*contribution*/) override { brought_ += 10.0; }
+  bool reaches(const Vec2& /*raster*/) const override { return sees_; }
+  double brought_to_lens() const override { return brought_; }
+  bool learns_of_light() const override { return true; }
+
+ private:
+  bool sees_;
+  double brought_ = 0.0;
+};
+
+/// Rays of light subpaths once cells know what the first ones have brought.
+std::uint64_t rays_of_light(const Scene& scene, bool sees, bool learns) {
+  constexpr std::uint32_t kLightPaths = 4000;
+  EfficiencyCells cells(scene.bounds(), 1.0);
+  PathSamplerSettings settings;
+  settings.techniques = TechniqueSet::parse("ibpt");
+  settings.max_depth = 12;
+  settings.light_cells = learns ? &cells : nullptr;
+  LensSink sink(sees);
+  const auto trace = [&](std::uint32_t seed) {
+    PathSampler sampler(scene, settings);
+    for (std::uint32_t i = 0; i < kLightPaths; ++i) {
+      IndependentSource source({seed, i, seed, i});
+      sampler.sample_light(source, sink);
+    }
+    return sampler.rays_by_use().light_walk;
+  };
+  trace(1);
+  cells.end_round();
+  return trace(2);
+}
+
+/// Light subpaths are ended where they bring nothing, and nowhere if each vertex is worth its rays.
+TEST(EfficientPaths, OfLightEndWhereTheyBringNothing) {
+  const auto scene = test::scene_from(test::small_scene("Room").text);
+  const auto usual = static_cast<double>(rays_of_light(*scene, true, false));
+  EXPECT_LT(static_cast<double>(rays_of_light(*scene, false, true)), 0.7 * usual);
+  EXPECT_GT(static_cast<double>(rays_of_light(*scene, true, true)), usual);
 }
 
 /// By region, with cells that learn as the render goes on.

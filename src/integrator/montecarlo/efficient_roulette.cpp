@@ -30,6 +30,7 @@ void EfficientRoulette::end_round(const ImportanceMap& importance,
                                   std::span<const double> variance) {
   known_ = {rays_, samples_};
   cells_.agree();
+  light_cells_.agree();
   // Mean of visible errors: fireflies, and the border of a lamp, say little of all other pixels.
   double sum = 0.0;
   for (const double of_pixel : variance) sum += visible_error(of_pixel);
@@ -45,15 +46,17 @@ void EfficientRoulette::end_round(const ImportanceMap& importance,
     worths_[i] = importance(Vec2(pixel) + Vec2(0.5F, 0.5F)) / static_cast<float>(price);
   }
   cells_.end_round();
+  light_cells_.end_round();
 }
 
 std::uint64_t EfficientRoulette::memory_bytes() const {
-  return cells_.memory_bytes() + worths_.size() * sizeof(float);
+  return cells_.memory_bytes() + light_cells_.memory_bytes() + worths_.size() * sizeof(float);
 }
 
 void EfficientRoulette::save_state(OutputArchive& archive) const {
   archive(price_, worths_, rays_.load(), samples_.load());
   cells_.save_state(archive);
+  light_cells_.save_state(archive);
 }
 
 void EfficientRoulette::load_state(InputArchive& archive) {
@@ -66,12 +69,14 @@ void EfficientRoulette::load_state(InputArchive& archive) {
   rays_ = known_.rays;
   samples_ = known_.samples;
   cells_.load_state(archive);
+  light_cells_.load_state(archive);
 }
 
 void EfficientRoulette::export_delta(OutputArchive& archive) {
   archive(rays_.exchange(known_.rays) - known_.rays,
           samples_.exchange(known_.samples) - known_.samples);
   cells_.export_delta(archive);
+  light_cells_.export_delta(archive);
 }
 
 void EfficientRoulette::import_delta(InputArchive& archive) {
@@ -82,6 +87,7 @@ void EfficientRoulette::import_delta(InputArchive& archive) {
   rays_ = known_.rays;
   samples_ = known_.samples;
   cells_.import_delta(archive);
+  light_cells_.import_delta(archive);
 }
 
 }  // namespace ajar

@@ -23,7 +23,7 @@ class EfficientRoulette {
  public:
   /// For the pixels of `crop`. `magnitude`: of the light of the picture, radiance, positive.
   EfficientRoulette(const Box3& scene, const Box2i& crop, double magnitude)
-      : crop_(crop), cells_(scene, magnitude) {}
+      : crop_(crop), cells_(scene, magnitude), light_cells_(scene, 1.0) {}
 
   /// False until a round has ended that showed noise.
   bool is_known() const { return !worths_.empty(); }
@@ -32,6 +32,8 @@ class EfficientRoulette {
   /// In luminance · importance; 0 as long as it is not known.
   double price() const { return price_; }
   EfficiencyCells& cells() { return cells_; }
+  /// For light subpaths, in rays.
+  EfficiencyCells& light_cells() { return light_cells_; }
 
   /// Work that was done; from any thread.
   void count(std::uint64_t rays, std::uint64_t samples);
@@ -55,6 +57,7 @@ class EfficientRoulette {
 
   Box2i crop_;
   EfficiencyCells cells_;
+  EfficiencyCells light_cells_;
   double price_ = 0.0;
   std::vector<float> worths_;  ///< importance / price, pixel by pixel; empty if not known
   std::atomic<std::uint64_t> rays_{0};

@@ -49,7 +49,10 @@ class PathIntegrator final : public Integrator {
           std::make_unique<EfficientRoulette>(scene.bounds(), settings.crop, scale_.mean);
       roulette_ = own_roulette_.get();
     }
-    if (roulette_ != nullptr) sampler_settings_.cells = &roulette_->cells();
+    if (roulette_ != nullptr) {
+      sampler_settings_.cells = &roulette_->cells();
+      sampler_settings_.light_cells = &roulette_->light_cells();
+    }
     // Chains go on from paths that are not split.
     sampler_settings_.splits = strong_ == nullptr;
   }

@@ -58,6 +58,8 @@ void SampleSink::add(const Contribution& whole) {
   }
   if (contribution.technique.t == 1) {
     tally_.add_splat(contribution.technique, luminance(value));
+    brought_to_lens_ +=
+        static_cast<double>(luminance(value) * rays_per_unit_light(contribution.raster));
     if (!film_.splat(direct ? layers_.direct : layers_.indirect, replicate_, contribution.raster,
                      value)) {
       discard(contribution);
@@ -89,6 +91,8 @@ bool SampleSink::learns() const {
          (sample_ < MonteCarloHeuristics::kSamplesToLearn ||
           hash_numbers(pixel_.x, pixel_.y, sample_) % MonteCarloHeuristics::kLearnsFromOneOf == 0);
 }
+
+bool SampleSink::learns_of_light() const { return learns() && roulette_->is_known(); }
 
 void SampleSink::first_vertex(const PathVertex& vertex, const Hit* hit, float distance) {
   sees_something_ = true;

@@ -38,7 +38,9 @@ class SampleSink final : public PathSink {
   bool reaches(const Vec2& raster) const override;
   float rays_per_unit_light(const Vec2& raster) const override;
   double brought() const override { return brought_; }
+  double brought_to_lens() const override { return brought_to_lens_; }
   bool learns() const override;
+  bool learns_of_light() const override;
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override;
 
   /// From now on keeps strong paths, above the threshold of `sink`.
@@ -82,8 +84,9 @@ class SampleSink final : public PathSink {
   int replicate_ = 0;
   float filter_weight_ = 1.F;
   std::uint64_t sample_ = 0;
-  bool sees_something_ = false;  ///< the camera ray of this sample has met something
-  double brought_ = 0.0;         ///< luminance, of this sample
+  bool sees_something_ = false;   ///< the camera ray of this sample has met something
+  double brought_ = 0.0;          ///< luminance, of this sample
+  double brought_to_lens_ = 0.0;  ///< rays
   Spectrum direct_;
   Spectrum indirect_;
   Spectrum strong_light_;
