@@ -149,6 +149,24 @@ TEST(MixEstimates, ReportsNoBiasOfAnUnbiasedFilter) {
   EXPECT_LT(error_of(mixed.error, std::vector<float>(kMixedValues, 0.F)), 0.1);
 }
 
+/// Samples of path tracing are mostly black, and now and then bright. Relative to a picture that
+/// has them in it, the black ones would count more.
+TEST(MixEstimates, TakesSkewedNoiseForNoBias) {
+  const std::vector<float> truth(kMixedValues, 1.F);
+  Replicates replicates(4, truth);
+  std::mt19937 random(7);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same test each time
+  for (std::vector<float>& picture : replicates) {
+    for (float& value : picture) value = random() % 4 == 0 ? 4.F : 0.F;
+  }
+  const MixedEstimate mixed = mix_estimates(
+      kMixedSize, {{truth, Replicates(2, truth)}, {replicate_mean(replicates), replicates}},
+      replicates);
+  // 1.5 is the variance of a half, over the square root of 402 pixels in a patch times 3 values,
+  // and a half of that for the whole; half of it is negative.
+  EXPECT_LT(error_of(mixed.error, std::vector<float>(kMixedValues, 0.F)), 0.2);
+  EXPECT_LT(mean_of(mixed.shares[1]), 0.01);
+}
+
 /// Filters leave part of the noise of a part in its estimate, which has nothing to do with that of
 /// another part.
 TEST(MixEstimates, KnowsTheBiasOfHalves) {
