@@ -34,7 +34,6 @@ std::size_t table_index(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
 /// Light that counts for no more, in units of the picture's, so that sums stay in range: a billion
 /// samples fit.
 constexpr double kMostLight = 256.0;
-constexpr double kLightQuanta = 0x1p20;
 constexpr double kSquareQuanta = 0x1p22;
 
 void add_to(std::int64_t& sum, std::int64_t value) {
@@ -54,17 +53,14 @@ std::uint32_t kind_of(const PathVertex& vertex) {
 
 }  // namespace
 
-void EfficiencyCells::Moments::add(std::int64_t light_quanta, std::int64_t square_quanta,
-                                   std::uint64_t own_rays) {
+void EfficiencyCells::Moments::add(std::int64_t square_quanta, std::uint64_t own_rays) {
   add_to(samples, 1);
-  if (light_quanta != 0) add_to(light, light_quanta);
   if (square_quanta != 0) add_to(squares, square_quanta);
   if (own_rays != 0) add_to(rays, static_cast<std::int64_t>(own_rays));
 }
 
 EfficiencyCells::Moments& EfficiencyCells::Moments::operator+=(const Moments& other) {
   samples += other.samples;
-  light += other.light;
   squares += other.squares;
   rays += other.rays;
   return *this;
@@ -72,7 +68,6 @@ EfficiencyCells::Moments& EfficiencyCells::Moments::operator+=(const Moments& ot
 
 EfficiencyCells::Moments& EfficiencyCells::Moments::operator-=(const Moments& other) {
   samples -= other.samples;
-  light -= other.light;
   squares -= other.squares;
   rays -= other.rays;
   return *this;
@@ -80,7 +75,6 @@ EfficiencyCells::Moments& EfficiencyCells::Moments::operator-=(const Moments& ot
 
 void EfficiencyCells::Moments::divide_by(int power_of_two) {
   samples >>= power_of_two;
-  light >>= power_of_two;
   squares >>= power_of_two;
   rays >>= power_of_two;
 }
@@ -131,39 +125,22 @@ std::uint32_t EfficiencyCells::find(const PathVertex& vertex) const {
   return node->cells + kind_of(vertex);
 }
 
-void EfficiencyCells::add(Moments& moments, double light, std::uint64_t rays) const {
+void EfficiencyCells::add(std::uint32_t cell, bool specular, double light, std::uint64_t rays) {
   const double relative = std::min(light / magnitude_, kMostLight);
   if (!(relative >= 0.0)) return;
-  moments.add(std::llrint(relative * kLightQuanta),
-              std::llrint(relative * relative * kSquareQuanta), rays);
-}
-
-void EfficiencyCells::add_rest(std::uint32_t cell, bool specular, double light,
-                               std::uint64_t rays) {
-  add(sums_[cell].rest[specular ? 1 : 0], light, rays);
-}
-
-void EfficiencyCells::add_whole(std::uint32_t cell, double light, std::uint64_t rays) {
-  add(sums_[cell].whole, light, rays);
+  sums_[cell][specular ? 1 : 0].add(std::llrint(relative * relative * kSquareQuanta), rays);
 }
 
 EfficiencyCells::Worth EfficiencyCells::worth_of(const Sums& sums) const {
-  const auto root = [&](const Moments& moments, bool without_mean) {
+  const auto root = [&](const Moments& moments) {
     if (moments.samples < TransportHeuristics::kFewestSamplesOfCell) return 0.F;
     const auto n = static_cast<double>(moments.samples);
-    const double mean = without_mean ? static_cast<double>(moments.light) / kLightQuanta / n : 0.0;
-    const double squares = static_cast<double>(moments.squares) / kSquareQuanta / n;
-    const double rays = std::max(static_cast<double>(moments.rays) / n, 1.0 / n);
     // Half a quantum: 0 says that nothing is known.
-    const double least = 0.5 / kSquareQuanta / n;
-    return static_cast<float>(magnitude_ *
-                              std::sqrt(std::max(squares - mean * mean, least) / rays));
+    const double squares = std::max(static_cast<double>(moments.squares), 0.5) / kSquareQuanta / n;
+    const double rays = std::max(static_cast<double>(moments.rays) / n, 1.0 / n);
+    return static_cast<float>(magnitude_ * std::sqrt(squares / rays));
   };
-  return {{root(sums.rest[0], false), root(sums.rest[1], false)}, root(sums.whole, true)};
-}
-
-std::int64_t EfficiencyCells::visits_of(const Sums& sums) {
-  return std::max(sums.whole.samples, sums.rest[0].samples + sums.rest[1].samples);
+  return {root(sums[0]), root(sums[1])};
 }
 
 void EfficiencyCells::refine() {
@@ -172,13 +149,14 @@ void EfficiencyCells::refine() {
     if (nodes_[i].children != 0 || nodes_[i].level == kLevels) continue;
     const std::uint32_t first = nodes_[i].cells;
     std::int64_t samples = 0;
-    for (std::uint32_t k = 0; k < kKinds; ++k) samples += visits_of(sums_[first + k]);
+    for (std::uint32_t k = 0; k < kKinds; ++k) {
+      for (const Moments& moments : sums_[first + k]) samples += moments.samples;
+    }
     if (samples < TransportHeuristics::kMostSamplesOfLeaf) continue;
     if (worths_.size() + (kChildren - 1) * kKinds > TransportHeuristics::kMostCells) return;
     nodes_[i].children = static_cast<std::uint32_t>(nodes_.size());
     for (std::uint32_t k = 0; k < kKinds; ++k) {
-      Sums& sums = sums_[first + k];
-      for (Moments* moments : {&sums.rest[0], &sums.rest[1], &sums.whole}) moments->divide_by(3);
+      for (Moments& moments : sums_[first + k]) moments.divide_by(3);
     }
     for (std::uint32_t child = 0; child < kChildren; ++child) {
       const std::uint32_t level = nodes_[i].level + 1;
@@ -201,7 +179,7 @@ void EfficiencyCells::end_round() {
   refine();
   list_places();
   for (Sums& sums : sums_) {
-    for (Moments* moments : {&sums.rest[0], &sums.rest[1], &sums.whole}) moments->divide_by(1);
+    for (Moments& moments : sums) moments.divide_by(1);
   }
   agree();
 }
@@ -240,9 +218,8 @@ void EfficiencyCells::load_state(InputArchive& archive) {
   archive(nodes_, worths_, sums_);
   const auto is_root = [](float value) { return value >= 0.F && std::isfinite(value); };
   if (nodes_.empty() || !is_tree() ||
-      !std::all_of(worths_.begin(), worths_.end(), [&](const Worth& worth) {
-        return is_root(worth.rest[0]) && is_root(worth.rest[1]) && is_root(worth.whole);
-      })) {
+      !std::all_of(worths_.begin(), worths_.end(),
+                   [&](const Worth& worth) { return is_root(worth[0]) && is_root(worth[1]); })) {
     throw std::runtime_error("corrupt checkpoint: cells of roulette that cannot be");
   }
   known_ = sums_;
@@ -253,11 +230,8 @@ void EfficiencyCells::export_delta(OutputArchive& archive) {
   std::vector<std::pair<std::uint32_t, Sums>> delta;
   for (std::uint32_t cell = 0; cell < sums_.size(); ++cell) {
     Sums own = sums_[cell];
-    for (std::size_t i = 0; i < own.rest.size(); ++i) own.rest[i] -= known_[cell].rest[i];
-    own.whole -= known_[cell].whole;
-    if (!own.rest[0].empty() || !own.rest[1].empty() || !own.whole.empty()) {
-      delta.emplace_back(cell, own);
-    }
+    for (std::size_t i = 0; i < own.size(); ++i) own[i] -= known_[cell][i];
+    if (!own[0].empty() || !own[1].empty()) delta.emplace_back(cell, own);
   }
   sums_ = known_;
   archive(delta);
@@ -268,8 +242,7 @@ void EfficiencyCells::import_delta(InputArchive& archive) {
   archive(delta);
   for (const auto& [cell, sums] : delta) {
     Sums& own = sums_.at(cell);
-    for (std::size_t i = 0; i < own.rest.size(); ++i) own.rest[i] += sums.rest[i];
-    own.whole += sums.whole;
+    for (std::size_t i = 0; i < own.size(); ++i) own[i] += sums[i];
   }
   known_ = sums_;
 }

@@ -9,19 +9,18 @@
 
 namespace ajar {
 
-/// Estimates, place by place, of what the samples of paths bring at a vertex, and how many rays
-/// that takes: for Russian roulette and splitting by efficiency. Source: Rath et al. 2022, "EARS:
-/// Efficiency-Aware Russian Roulette and Splitting".
+/// Estimates, place by place, of what a direction brings that a path takes at a vertex, and how
+/// many rays that takes: for Russian roulette by efficiency. Source: Rath et al. 2022, "EARS:
+/// Efficiency-Aware Russian Roulette and Splitting"; docs/notebook/roulette.md says why paths are
+/// not split.
 ///
 /// The product of a picture's variance and rays is smallest if a path of throughput β, seen by a
-/// pixel with a ray's price P (`PathSink::rays_per_unit_light` is 1/P), has at a vertex
+/// pixel with a ray's price P (`PathSink::rays_per_unit_light` is 1/P), goes on with probability
 ///
-///     β/P · √(M/C)  samples, if that is below 1;   β/P · √(V/C)  samples, if that is above 1
+///     β/P · √(M/C)
 ///
-/// M being the second moment and V the variance of what a sample brings per unit of throughput, C
-/// its rays. Below 1, we judge the direction that was drawn, by the light that comes from such
-/// directions; the connection to a lamp has a roulette of its own. Above 1, we judge the connection
-/// and the direction together, as they are repeated together.
+/// M being the second moment of what comes from such directions per unit of throughput, C its rays.
+/// β is the throughput behind the vertex. The connection to a lamp has a roulette of its own.
 ///
 /// Light subpaths have cells of their own, and roulette alone. What they bring reaches many pixels,
 /// so it is counted in the rays that it is worth there, P being 1; β is the throughput over that
@@ -35,23 +34,15 @@ class EfficiencyCells {
   /// `magnitude`: of the light of the picture, radiance; the unit of the sums. Positive.
   EfficiencyCells(const Box3& bounds, double magnitude);
 
-  /// Frozen for a round; 0 where nothing is known.
-  struct Worth {
-    /// √(M/C) of the light from one direction, drawn by a rough lobe and by a specular one.
-    std::array<float, 2> rest{0.F, 0.F};
-    float whole = 0.F;  ///< √(V/C) of one connection and one direction
-    template <typename AnyArchive>
-    void serialize(AnyArchive& archive) {
-      archive(rest, whole);
-    }
-  };
+  /// √(M/C) of directions drawn by a rough lobe and by a specular one, frozen for a round; 0 where
+  /// nothing is known.
+  using Worth = std::array<float, 2>;
   /// Number of the cell of a vertex.
   std::uint32_t find(const PathVertex& vertex) const;
   const Worth& worth(std::uint32_t cell) const { return worths_[cell]; }
 
-  // From any thread. `light`: luminance per unit of throughput.
-  void add_rest(std::uint32_t cell, bool specular, double light, std::uint64_t rays);
-  void add_whole(std::uint32_t cell, double light, std::uint64_t rays);
+  /// From any thread. `light`: luminance per unit of throughput.
+  void add(std::uint32_t cell, bool specular, double light, std::uint64_t rays);
 
   /// Between passes: freezes what the sums say, and divides cells that many samples have visited.
   /// The sums of earlier rounds count half in the next.
@@ -73,28 +64,20 @@ class EfficiencyCells {
   /// Sums over samples, in fixed-point numbers.
   struct Moments {
     std::int64_t samples = 0;
-    std::int64_t light = 0;
     std::int64_t squares = 0;
     std::int64_t rays = 0;
 
-    void add(std::int64_t light_quanta, std::int64_t square_quanta, std::uint64_t own_rays);
+    void add(std::int64_t square_quanta, std::uint64_t own_rays);
     Moments& operator+=(const Moments& other);
     Moments& operator-=(const Moments& other);
     void divide_by(int power_of_two);
-    bool empty() const { return samples == 0 && light == 0 && squares == 0 && rays == 0; }
+    bool empty() const { return samples == 0 && squares == 0 && rays == 0; }
     template <typename AnyArchive>
     void serialize(AnyArchive& archive) {
-      archive(samples, light, squares, rays);
+      archive(samples, squares, rays);
     }
   };
-  struct Sums {
-    std::array<Moments, 2> rest;
-    Moments whole;
-    template <typename AnyArchive>
-    void serialize(AnyArchive& archive) {
-      archive(rest, whole);
-    }
-  };
+  using Sums = std::array<Moments, 2>;  ///< as in `Worth`
   /// A node of the octree: an inner one, or a leaf with its cells.
   struct Node {
     std::uint32_t children = 0;  ///< index of the first of eight; 0: a leaf
@@ -107,11 +90,8 @@ class EfficiencyCells {
   };
 
   Worth worth_of(const Sums& sums) const;
-  void add(Moments& moments, double light, std::uint64_t rays) const;
   /// Fills the table.
   void list_places();
-  /// Light subpaths tell of directions alone, and camera subpaths also of those that end.
-  static std::int64_t visits_of(const Sums& sums);
   /// Divides leaves until none of them has too many samples.
   void refine();
   bool is_tree() const;

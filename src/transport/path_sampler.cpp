@@ -89,8 +89,8 @@ SegmentEnd PathSampler::trace(const WalkSettings& walk, const Flight& flight,
 
 void PathSampler::sample(SampleSource& source, const Vec2& raster, PathSink& sink) {
   light_vertex_count_ = 0;
-  learns_ = sink.learns();
-  learns_of_light_ = sink.learns_of_light();
+  learns_ = settings_.cells != nullptr && sink.learns();
+  knows_price_ = sink.knows_price();
   if (has(TechniqueClass::Inner)) {
     const double whole = std::floor(settings_.light_subpaths);
     const double rest = settings_.light_subpaths - whole;
@@ -106,7 +106,8 @@ void PathSampler::sample(SampleSource& source, const Vec2& raster, PathSink& sin
 }
 
 void PathSampler::sample_light(SampleSource& source, PathSink& sink) {
-  learns_of_light_ = sink.learns_of_light();
+  learns_ = sink.learns();
+  knows_price_ = sink.knows_price();
   trace_light(source, sink, 0);
   learn_of_light();
 }
@@ -203,7 +204,7 @@ void PathSampler::walk_light(LightStart& start, SampleSource& source, PathSink& 
         light_vertices_[light_vertex_count_++] = vertex;
       }
     }
-    if (!depart_from(vertex, source, sink, flight)) return;
+    if (!depart_from_light(vertex, source, sink, flight)) return;
     if (flight.edges + flight.surplus + 2 > settings_.counted.maximum) return;
     sink.scattered(Stream::Light, vertex, flight);
   }
@@ -259,13 +260,8 @@ void PathSampler::leave_scene(const Flight& flight, const SegmentEnd& end, PathS
 
 void PathSampler::trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink) {
   Flight flight;
-  if (start_camera(source, raster, sink, flight)) follow_camera(flight, source, sink);
-}
-
-void PathSampler::follow_camera(Flight& flight, SampleSource& source, PathSink& sink) {
-  const std::size_t first = departures_.size();
-  walk_camera(flight, source, sink);
-  if (settings_.cells != nullptr) learn(first, sink);
+  if (start_camera(source, raster, sink, flight)) walk_camera(flight, source, sink);
+  learn(sink);
 }
 
 void PathSampler::walk_camera(Flight& flight, SampleSource& source, PathSink& sink) {
@@ -290,17 +286,9 @@ void PathSampler::walk_camera(Flight& flight, SampleSource& source, PathSink& si
                 {end.hit->point, Vec3(0.F)}, sink);
     }
     if (edges >= last_edge || vertex.throughput.is_black()) return;
-    if (settings_.cells != nullptr) {
-      // Connections to light subpaths come once, whatever the number of samples.
-      connect_to_light_subpaths(vertex, source, sink);
-      const std::uint32_t cell = settings_.cells->find(vertex);
-      if (split(vertex, cell, flight, source, sink)) return;
-      if (!sample_vertex(vertex, cell, source, sink, flight)) return;
-      continue;
-    }
     connect_to_lamps(vertex, source, sink);
     connect_to_light_subpaths(vertex, source, sink);
-    if (!depart(vertex, {0.F, 0.F}, source, sink, flight)) return;
+    if (!depart(vertex, source, sink, flight)) return;
   }
 }
 
@@ -323,10 +311,24 @@ void PathSampler::connect_to_light_subpaths(const PathVertex& vertex, SampleSour
   }
 }
 
-bool PathSampler::depart(const PathVertex& vertex, const WorthOfDirection& worth,
-                         SampleSource& source, PathSink& sink, Flight& flight) {
-  if (!scatter(camera_walk_, vertex, source, flight, worth)) return false;
+bool PathSampler::depart(const PathVertex& vertex, SampleSource& source, PathSink& sink,
+                         Flight& flight) {
+  WorthOfDirection in_rays = {0.F, 0.F};
+  std::uint32_t cell = 0;
+  if (settings_.cells != nullptr) {
+    cell = settings_.cells->find(vertex);
+    const EfficiencyCells::Worth& worth = settings_.cells->worth(cell);
+    in_rays = {worth[0] * rays_per_unit_light_, worth[1] * rays_per_unit_light_};
+  }
+  if (!scatter(camera_walk_, vertex, source, flight, in_rays)) return false;
   if (flight.edges + flight.surplus >= settings_.counted.maximum) return false;
+  if (learns_) {
+    departures_.push_back({.cell = cell,
+                           .specular = flight.specular,
+                           .left_with = flight.throughput.max(),
+                           .brought = sink.brought(),
+                           .rays = rays_.rays});
+  }
   sink.scattered(Stream::Camera, vertex, flight);
   return true;
 }

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "transport/branches.h"
 #include "transport/counted_depth.h"
 #include "transport/efficiency_cells.h"
 #include "transport/sample_source.h"
@@ -56,11 +55,11 @@ class PathSink {
   virtual double brought() const { return 0.0; }
   /// Rays that all light is worth which light subpaths have brought to the lens.
   virtual double brought_to_lens() const { return 0.0; }
-  /// True if the cells are told of the next camera subpath.
+  /// True if the cells are told of the next subpaths.
   virtual bool learns() const { return false; }
-  /// True if they are told of the light subpaths that belong to it; only where it is known what
-  /// light is worth.
-  virtual bool learns_of_light() const { return false; }
+  /// True if `rays_per_unit_light` is by the noise of the render, no guess. Else nothing is known
+  /// of what light subpaths bring.
+  virtual bool knows_price() const { return false; }
   /// The first surface or medium vertex the camera sees, at `distance` from it; `hit` is null for a
   /// medium vertex.
   virtual void first_vertex(const PathVertex& /*vertex*/, const Hit* /*hit*/, float /*distance*/) {}
@@ -87,13 +86,12 @@ struct PathSamplerSettings {
   /// image's pixels that these calls cover. If `sample` traces them itself: `light_subpaths` times
   /// that share.
   double light_paths_per_pixel = 1.0;
-  /// Camera subpaths survive and are split by what is known here, and tell it what they bring;
-  /// null: roulette follows the throughput alone. Must outlive the sampler.
+  /// Camera subpaths survive by what is known here, and tell it what they bring; null: roulette
+  /// follows the throughput alone. Must outlive the sampler.
   EfficiencyCells* cells = nullptr;
   /// Light subpaths survive by what is known here, by the rays that their light is worth; null:
   /// roulette follows the throughput alone.
   EfficiencyCells* light_cells = nullptr;
-  bool splits = true;  ///< camera subpaths may be split, if there are cells
   /// Makes `Contribution::shares`, at a few more operations for each vertex of each connection.
   bool shares_by_class = false;
 };
@@ -187,55 +185,39 @@ class PathSampler {
   /// The rest of a light subpath.
   void walk_light(LightStart& start, SampleSource& source, PathSink& sink);
   void trace_camera(SampleSource& source, const Vec2& raster, PathSink& sink);
-  /// The rest of a camera subpath, and of all it is split into.
-  void follow_camera(Flight& flight, SampleSource& source, PathSink& sink);
+  /// The rest of a camera subpath.
   void walk_camera(Flight& flight, SampleSource& source, PathSink& sink);
   /// False if the subpath ends at this vertex.
-  bool depart(const PathVertex& vertex, const WorthOfDirection& worth, SampleSource& source,
-              PathSink& sink, Flight& flight);
+  bool depart(const PathVertex& vertex, SampleSource& source, PathSink& sink, Flight& flight);
 
   // Efficiency, in path_efficiency.cpp.
 
-  /// A camera subpath at one of its vertices, to be told what it brought from there on.
+  /// A subpath that leaves one of its vertices, to be told what it brought from there on.
   struct Departure {
     std::uint32_t cell;
-    bool specular = false;
-    float arrived_with;          ///< throughput before the vertex, largest lane
-    float left_with = 0.F;       ///< after it; 0 if it ended there
-    double brought_before;       ///< before its own connection to a lamp
-    double brought_there = 0.0;  ///< after that
-    std::uint64_t rays_before;
-    std::uint64_t rays_there = 0;
-  };
-  /// A light subpath at one of its vertices, to be told what it brought from there on.
-  struct LightDeparture {
-    std::uint32_t cell;
     bool specular;
-    float left_with;  ///< throughput over that with which it set out, largest lane
+    /// Throughput, largest lane; of a light subpath, over that with which it set out.
+    float left_with;
+    double brought;  ///< before; then, of a light subpath, to the lens since
+    std::uint64_t rays;
+  };
+  struct LightDeparture : Departure {
     // Its later vertices that may be connected: the first, and one past the last.
     std::size_t first_vertex;
     std::size_t end_vertex = 0;
-    double brought;  ///< to the lens, rays; before it left, then since
-    std::uint64_t rays;
   };
   /// Connections of a light vertex to those of a camera subpath.
   struct InnerConnections {
     double brought = 0.0;  ///< rays that their light is worth
     std::uint64_t rays = 0;
   };
-  /// False if the subpath ends at this vertex.
-  bool depart_from(const PathVertex& vertex, SampleSource& source, const PathSink& sink,
-                   Flight& flight);
+  /// Tells cells what the camera subpath has brought.
+  void learn(const PathSink& sink);
+  /// False if the light subpath ends at this vertex.
+  bool depart_from_light(const PathVertex& vertex, SampleSource& source, const PathSink& sink,
+                         Flight& flight);
   /// Tells cells what light subpaths have brought.
   void learn_of_light();
-  /// One sample at a vertex: a connection to a lamp, and a direction. False if it ends there.
-  bool sample_vertex(const PathVertex& vertex, std::uint32_t cell, SampleSource& source,
-                     PathSink& sink, Flight& flight);
-  /// Splits a subpath if that pays. Returns false if it goes on as one.
-  bool split(const PathVertex& vertex, std::uint32_t cell, const Flight& flight,
-             SampleSource& source, PathSink& sink);
-  /// Tells cells what a subpath has brought since the departures from number `first` on.
-  void learn(std::size_t first, const PathSink& sink);
   SegmentEnd trace(const WalkSettings& walk, const Flight& flight, SampleSource& source);
 
   // Connections, in path_connections.cpp.
@@ -317,10 +299,9 @@ class PathSampler {
   std::vector<MisTrailEntry> camera_trail_;
   std::vector<MisTrailEntry> light_trails_;
   ByTechniqueClass<float> shares_{};  ///< shares of the last MIS weight
-  Branches branches_;                 ///< place of the current camera subpath
   bool learns_ = false;               ///< cells are told of it
   std::vector<Departure> departures_;
-  bool learns_of_light_ = false;
+  bool knows_price_ = false;
   std::vector<LightDeparture> light_departures_;
   std::vector<InnerConnections> inner_connections_;  ///< light vertex by light vertex
   RayCounts rays_;

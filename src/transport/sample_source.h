@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "core/vector.h"
-#include "transport/branches.h"
 
 namespace ajar {
 
@@ -75,11 +74,6 @@ class SampleSource {
   virtual void replace_pair(SampleAddress /*address*/, const Vec2& /*numbers*/,
                             double /*log_density*/) {
     throw std::logic_error("bug: numbers that are given were to be replaced");
-  }
-  /// From now on gives the numbers of a path that was split. Raises std::logic_error where there is
-  /// only one path.
-  virtual void set_branches(const Branches& /*branches*/) {
-    throw std::logic_error("bug: a path that is given was to be split");
   }
 };
 

@@ -23,11 +23,6 @@ inline std::uint64_t vertex_key(SampleAddress address) {
          static_cast<std::uint64_t>(address.vertex()) << 8U;
 }
 
-/// The camera's vertex whose numbers these are, of an address that is not the light's.
-inline int camera_vertex(SampleAddress address) {
-  return address.stream() == Stream::Connection ? address.vertex() % 256 : address.vertex();
-}
-
 /// Independent uniform numbers: a hash of identity and address.
 class IndependentSource final : public SampleSource {
  public:
@@ -37,7 +32,6 @@ class IndependentSource final : public SampleSource {
   float get(SampleAddress address) override {
     return to_unit_float(static_cast<std::uint32_t>(bits(address) >> 32U));
   }
-  void set_branches(const Branches& branches) override { branches_ = branches; }
   Vec2 get_pair(SampleAddress address) override {
     const std::uint64_t v = bits(address);
     return {to_unit_float(static_cast<std::uint32_t>(v >> 32U)),
@@ -46,15 +40,12 @@ class IndependentSource final : public SampleSource {
 
  private:
   std::uint64_t bits(SampleAddress address) const {
-    const std::uint64_t base = address.stream() == Stream::Light
-                                   ? light_
-                                   : camera_ ^ branches_.key(camera_vertex(address));
+    const std::uint64_t base = address.stream() == Stream::Light ? light_ : camera_;
     const std::uint64_t key = vertex_key(address) | static_cast<std::uint64_t>(address.slot());
     return mix_bits(base + key * 0x9e3779b97f4a7c15ULL);
   }
   std::uint64_t camera_;
   std::uint64_t light_;
-  Branches branches_;
 };
 
 /// Owen-scrambled Sobol' points: each pair of slots of each vertex has its own scrambled and
@@ -75,26 +66,19 @@ class SobolSource final : public SampleSource {
   Vec2 get_pair(SampleAddress address) override {
     return address.stream() == Stream::Connection ? independent_.get_pair(address) : fetch(address);
   }
-  void set_branches(const Branches& branches) override {
-    branches_ = branches;
-    independent_.set_branches(branches);
-    blocks_[static_cast<std::size_t>(Stream::Camera)].key = kNoBlock;
-  }
 
  private:
   /// Slots 2k and 2k + 1 share pad k; these are made at once.
   static_assert(static_cast<std::size_t>(Slot::MediumLane) == 2 * kSobolPads);
-  static constexpr std::uint64_t kNoBlock = ~std::uint64_t{0};
   struct Block {
-    std::uint64_t key = kNoBlock;
+    std::uint64_t key = ~std::uint64_t{0};
     SobolPads pads;
   };
 
   Vec2 fetch(SampleAddress address) {
     const bool light = address.stream() == Stream::Light;
     const std::uint32_t index = light ? identity_.light_index : identity_.camera_index;
-    const std::uint64_t base =
-        light ? identity_.light_seed : identity_.camera_seed ^ branches_.key(address.vertex());
+    const std::uint64_t base = light ? identity_.light_seed : identity_.camera_seed;
     const std::uint64_t key = vertex_key(address);
     const auto seed = [&](std::size_t pad) {
       return base + (key + pad + 1) * 0x9e3779b97f4a7c15ULL;
@@ -113,7 +97,6 @@ class SobolSource final : public SampleSource {
 
   SampleIdentity identity_;
   IndependentSource independent_;
-  Branches branches_;
   std::array<Block, 2> blocks_;  // blocks of the camera, and of the light
 };
 

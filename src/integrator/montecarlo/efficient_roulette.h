@@ -10,7 +10,7 @@
 
 namespace ajar {
 
-/// State of roulette and splitting by efficiency (`EfficiencyCells`) in a render of ordinary Monte
+/// State of roulette by efficiency (`EfficiencyCells`) in a render of ordinary Monte
 /// Carlo: what a ray has to bring, pixel by pixel, and what rays bring, place by place. It is
 /// frozen for a round, and learns for the next.
 ///

@@ -53,8 +53,6 @@ class PathIntegrator final : public Integrator {
       sampler_settings_.cells = &roulette_->cells();
       sampler_settings_.light_cells = &roulette_->light_cells();
     }
-    // Chains go on from paths that are not split.
-    sampler_settings_.splits = strong_ == nullptr;
   }
   const PictureScale& scale() const { return scale_; }
   Findings findings() const override;

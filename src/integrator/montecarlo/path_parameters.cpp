@@ -37,8 +37,8 @@ ParameterSpec heuristic_parameter() {
 ParameterSpec roulette_parameter(std::string default_value) {
   ParameterSpec spec = choice_parameter(
       "roulette", {"efficient", "usual"},
-      "Russian roulette: by what rays bring for their price, as the render finds it, which also "
-      "splits camera paths where that pays (Rath et al. 2022); or by throughput alone");
+      "Russian roulette: by what rays bring for their price, as the render finds it (Rath et al. "
+      "2022); or by throughput alone");
   spec.default_value = std::move(default_value);
   return spec;
 }

@@ -92,7 +92,7 @@ bool SampleSink::learns() const {
           hash_numbers(pixel_.x, pixel_.y, sample_) % MonteCarloHeuristics::kLearnsFromOneOf == 0);
 }
 
-bool SampleSink::learns_of_light() const { return learns() && roulette_->is_known(); }
+bool SampleSink::knows_price() const { return roulette_ != nullptr && roulette_->is_known(); }
 
 void SampleSink::first_vertex(const PathVertex& vertex, const Hit* hit, float distance) {
   sees_something_ = true;

@@ -40,7 +40,7 @@ class SampleSink final : public PathSink {
   double brought() const override { return brought_; }
   double brought_to_lens() const override { return brought_to_lens_; }
   bool learns() const override;
-  bool learns_of_light() const override;
+  bool knows_price() const override;
   void first_vertex(const PathVertex& vertex, const Hit* hit, float distance) override;
 
   /// From now on keeps strong paths, above the threshold of `sink`.
