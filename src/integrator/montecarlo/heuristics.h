@@ -28,10 +28,10 @@ struct MonteCarloHeuristics {
   // -------------------------------------------------------- roulette by efficiency
   /// Camera samples of a pixel that all tell what their rays have brought.
   /// Unit: samples. Range: >= 1. Source: docs/notebook/roulette.md, "Cells".
-  static constexpr std::uint64_t kSamplesToLearn = 8;
+  static constexpr std::uint64_t kSamplesToLearn = 2;
   /// Later ones tell it one time in so many, because telling takes time.
   /// Unit: samples. Range: >= 1. Source: docs/notebook/roulette.md, "Cells".
-  static constexpr std::uint64_t kLearnsFromOneOf = 4;
+  static constexpr std::uint64_t kLearnsFromOneOf = 16;
 
   // -------------------------------------------------------- features
   /// Camera samples for each ray by which filters get to know the scene.

@@ -34,6 +34,7 @@ class PathIntegrator final : public Integrator {
         divisions_(context.divisions),
         strong_(context.strong),
         joins_by_manifolds_(context.joins_by_manifolds),
+        is_undecided_(context.is_undecided),
         sampler_settings_(sampler_settings(settings, parameters)),
         sobol_(parameters.get_text("sampler") == "sobol"),
         light_alone_(light_alone(sampler_settings_.techniques)),
@@ -127,6 +128,7 @@ class PathIntegrator final : public Integrator {
     PathSampler sampler(scene_, sampler_settings_);
     const auto strong = strong_ != nullptr ? strong_->make(film, counters) : nullptr;
     if (strong) sink.keep_strong_for(*strong);
+    if (is_undecided_) sink.learn_from_all();
     std::uint64_t own_samples = 0;
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
@@ -255,6 +257,7 @@ class PathIntegrator final : public Integrator {
   const Divisions* divisions_;
   const OutlierSinkFactory* strong_;
   bool joins_by_manifolds_;
+  bool is_undecided_;
   PathSamplerSettings sampler_settings_;
   bool sobol_;
   bool light_alone_;

@@ -46,6 +46,8 @@ struct PathIntegratorContext {
   EfficientRoulette* roulette = nullptr;
   std::optional<PictureScale> scale{};  ///< measured unless it is known
   bool joins_by_manifolds = false;      ///< see `blind_spots`
+  /// It is not decided yet what chains make: roulette learns from all light.
+  bool is_undecided = false;
 };
 
 /// Ordinary Monte Carlo with one set of techniques (docs/methods/bidirectional.md): `pt`, `lt`,

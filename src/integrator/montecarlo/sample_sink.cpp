@@ -52,6 +52,7 @@ void SampleSink::add(const Contribution& whole) {
     discard(contribution);
     return;
   }
+  const Spectrum& learned = learns_from_all_ ? whole.value : value;
   const bool direct = contribution.technique.depth() <= 2;
   if (!techniques_.empty() && !techniques_.add(film_, pixel_, filter_weight_, contribution)) {
     ++counters_.discarded_infinite;
@@ -59,14 +60,14 @@ void SampleSink::add(const Contribution& whole) {
   if (contribution.technique.t == 1) {
     tally_.add_splat(contribution.technique, luminance(value));
     brought_to_lens_ +=
-        static_cast<double>(luminance(value) * rays_per_unit_light(contribution.raster));
+        static_cast<double>(luminance(learned) * rays_per_unit_light(contribution.raster));
     if (!film_.splat(direct ? layers_.direct : layers_.indirect, replicate_, contribution.raster,
                      value)) {
       discard(contribution);
     }
   } else {
     const float light = luminance(value);
-    brought_ += static_cast<double>(light);
+    brought_ += static_cast<double>(luminance(learned));
     tally_.add_camera_contribution(contribution.technique, light * filter_weight_);
     (direct ? direct_ : indirect_) += value;
   }

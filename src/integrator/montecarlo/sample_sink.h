@@ -45,6 +45,8 @@ class SampleSink final : public PathSink {
 
   /// From now on keeps strong paths, above the threshold of `sink`.
   void keep_strong_for(const OutlierSink& sink);
+  /// From now on roulette learns from all light, that which is left to chains included.
+  void learn_from_all() { learns_from_all_ = true; }
   /// Lets a sink have the strong paths found since the last call. Those seen by a camera ray are
   /// worth its filter weight, and as much more as there are fewer rays near the film's border.
   void hand_over(OutlierSink& sink, SampleSource& numbers);
@@ -91,6 +93,7 @@ class SampleSink final : public PathSink {
   Spectrum indirect_;
   Spectrum strong_light_;
   bool keeps_strong_ = false;
+  bool learns_from_all_ = false;
   double outlier_threshold_ = 0.0;  ///< Russian roulette of outlier paths
   std::uint64_t origin_ = 0;
   std::vector<OutlierPath> strong_;

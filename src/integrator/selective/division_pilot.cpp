@@ -125,8 +125,9 @@ std::uint64_t DivisionPilot::begin() {
   samples_ = planned_samples();
   threshold_ = static_cast<float>(SelectiveHeuristics::kPilotRoulette * prepared_.brightness);
   reservoir_.set_initial_rate(static_cast<double>(samples_));
-  omc_ = prepared_.make_omc(prepared_.techniques.omc, settings,
-                            {.divisions = &*prepared_.divisions, .strong = this});
+  omc_ = prepared_.make_omc(
+      prepared_.techniques.omc, settings,
+      {.divisions = &*prepared_.divisions, .strong = this, .is_undecided = true});
   may_disable_chains_ = prepared_.config.chooses_division && !omc_->findings().misses_light;
   film_ = std::make_unique<Film>(settings.resolution, settings.crop,
                                  make_filter(prepared_.scene().film().filter), settings.replicates,

@@ -433,8 +433,12 @@ void SelectiveIntegrator::end_roulette_round(std::uint64_t samples, const Film& 
   if (!prepared_.roulette) return;
   const Box2i& crop = prepared_.config.settings.crop;
   const Replicates pictures = pictures_of_omc(samples, film);
-  const ImportanceMap importance =
-      prepared_.preparation_cut ? relative_importance(pictures, crop) : prepared_.view.importance;
+  const Replicates whole =
+      prepared_.divisions ? develop_layers(film, *this, samples, {"direct", kWeakLayer, "indirect"})
+                          : pictures;
+  const ImportanceMap importance = prepared_.config.relative_importance
+                                       ? relative_importance(whole, crop)
+                                       : prepared_.view.importance;
   prepared_.roulette->end_round(
       importance,
       weighted_errors(pictures, crop, importance).of_sample(allocation_.omc_samples(samples)));
