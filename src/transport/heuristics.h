@@ -10,8 +10,8 @@ struct TransportHeuristics {
   /// yet must not end all paths.
   /// Unit: probability. Range: (0, 1]. Source: Rath et al. 2022.
   static constexpr float kLeastSurvival = 0.05F;
-  /// What a subpath brings counts as light that is worth so many rays at most: a firefly says that
-  /// its way is worth thousands, while prices are those of visible errors.
+  /// Light that a subpath brings counts as if it were worth so many rays at most: a firefly says
+  /// that its way is worth thousands, while prices are those of visible errors.
   /// Unit: rays. Range: > 0. Source: docs/notebook/roulette.md, "Fireflies".
   static constexpr double kMostRays = 16.0;
   /// Samples with which a cell is known.

@@ -46,7 +46,7 @@ struct PathIntegratorContext {
   EfficientRoulette* roulette = nullptr;
   std::optional<PictureScale> scale{};  ///< measured unless it is known
   bool joins_by_manifolds = false;      ///< see `blind_spots`
-  /// It is not decided yet what chains make: roulette learns from all light.
+  /// Chains may make what is left to them, or nothing: roulette learns from all light.
   bool is_undecided = false;
 };
 
