@@ -31,11 +31,17 @@ void check_sizes(Vec2i size, const std::vector<BiasedEstimate>& estimates,
   if (!fine) throw std::invalid_argument("mix_estimates: sizes do not fit");
 }
 
-/// One over an estimate; of black values, over a little of the picture's level.
-std::vector<float> scales_of(const std::vector<float>& estimate) {
-  std::vector<float> scales(estimate.size());
-  std::transform(estimate.begin(), estimate.end(), scales.begin(),
-                 [](float value) { return std::abs(value); });
+/// One over the least of the smooth estimates, so that no clump makes its own error small; of black
+/// values, over a little of the picture's level.
+std::vector<float> scales_of(const std::vector<BiasedEstimate>& estimates) {
+  std::vector<float> scales(estimates.front().pixels.size(),
+                            std::numeric_limits<float>::infinity());
+  for (const BiasedEstimate& estimate : estimates) {
+    if (!estimate.is_smooth) continue;
+    for (std::size_t i = 0; i < scales.size(); ++i) {
+      scales[i] = std::min(scales[i], std::abs(estimate.pixels[i]));
+    }
+  }
   const auto floor = static_cast<float>(PostHeuristics::kDarkest * median_lit(scales));
   for (float& scale : scales) scale = 1.F / std::max({scale, floor, 1e-20F});
   return scales;
@@ -130,7 +136,7 @@ SquaredError squared_error(Vec2i size, const BiasedEstimate& estimate, const Rep
 MixedEstimate mix_estimates(Vec2i size, const std::vector<BiasedEstimate>& estimates,
                             const Replicates& unbiased) {
   check_sizes(size, estimates, unbiased);
-  const std::vector<float> scales = scales_of(estimates.front().pixels);
+  const std::vector<float> scales = scales_of(estimates);
   std::vector<SquaredError> errors;
   errors.reserve(estimates.size());
   for (const BiasedEstimate& estimate : estimates) {

@@ -15,6 +15,7 @@ struct BiasedEstimate {
   /// Replicates before the estimate, if they may lack light which the unbiased ones have; else
   /// empty.
   Replicates found{};
+  bool is_smooth = true;  ///< false: its pixels have the noise of the samples
 };
 
 /// Several estimates of one picture as one.
@@ -38,11 +39,11 @@ struct MixedEstimate {
 /// independent: the bias of a picture of as many samples as one part. The bias of a filter falls
 /// with the noise of its input, so of P parts a P-th of that is taken for the whole. Light that has
 /// not been found yet does not: all of the squared bias counts that the estimate had before the
-/// filter. It is averaged over all pairs of parts and over a patch, relative to the first estimate,
-/// so that bright pixels do not dominate: that should be a smooth one, as noise which decides its
-/// own weight looks like bias. The spread of the parts of D is added to it. Errors of the mixture
-/// are at most the mean of those of its parts, weighted by their shares, which is the value of
-/// `error`.
+/// filter. It is averaged over all pairs of parts and over a patch, relative to the least
+/// of the smooth estimates, so that bright pixels do not dominate: noise that decides its own
+/// weight looks like bias, and clumps that do, like none. The spread of the parts of D is added to
+/// it. Errors of the mixture are at most the mean of those of its parts, weighted by their shares,
+/// which is the value of `error`.
 ///
 /// `unbiased`: at least as many replicates as an estimate has parts. Raises std::invalid_argument
 /// if there are no estimates, too few parts or replicates, or sizes that do not fit.

@@ -30,7 +30,7 @@ std::vector<BiasedEstimate> smooth_and_raw(const Replicates& replicates) {
   const std::vector<float> mean = replicate_mean(replicates);
   BiasedEstimate smooth{blurred(mean, kMixedSize, 4.0), {}};
   for (const auto& picture : replicates) smooth.parts.push_back(blurred(picture, kMixedSize, 4.0));
-  return {std::move(smooth), {mean, replicates}};
+  return {std::move(smooth), {mean, replicates, {}, false}};
 }
 
 MixedEstimate mixture_of(const std::vector<float>& truth, float noise) {
@@ -80,7 +80,8 @@ TEST(MixEstimates, AssumesThatTheMeanIsFilteredBetterThanAReplicate) {
   const std::vector<float> mean = replicate_mean(replicates);
   const BiasedEstimate smooth{std::vector<float>(kMixedValues, 1.15F),
                               Replicates(4, std::vector<float>(kMixedValues, 1.3F))};
-  const MixedEstimate mixed = mix_estimates(kMixedSize, {smooth, {mean, replicates}}, replicates);
+  const MixedEstimate mixed =
+      mix_estimates(kMixedSize, {smooth, {mean, replicates, {}, false}}, replicates);
   EXPECT_LT(mean_of(mixed.shares[1]), 0.25);
 }
 
@@ -159,7 +160,8 @@ TEST(MixEstimates, TakesSkewedNoiseForNoBias) {
     for (float& value : picture) value = random() % 4 == 0 ? 4.F : 0.F;
   }
   const MixedEstimate mixed = mix_estimates(
-      kMixedSize, {{truth, Replicates(2, truth)}, {replicate_mean(replicates), replicates}},
+      kMixedSize,
+      {{truth, Replicates(2, truth)}, {replicate_mean(replicates), replicates, {}, false}},
       replicates);
   // 1.5 is the variance of a half, over the square root of 402 pixels in a patch times 3 values,
   // and a half of that for the whole; half of it is negative.

@@ -105,7 +105,9 @@ std::optional<MixedEstimate> filter_and_mix(const Denoiser& denoiser, const Feat
     if (!add_estimate(replicate_mean(others), others)) return std::nullopt;
     all.back().found = std::move(others);
   }
-  all.push_back({without_fireflies(unfiltered, replicates, all.front().pixels), replicates});
+  all.push_back({.pixels = without_fireflies(unfiltered, replicates, all.front().pixels),
+                 .parts = replicates,
+                 .is_smooth = false});
   return mix_estimates(size, all, replicates);
 }
 
