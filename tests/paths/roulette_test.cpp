@@ -10,6 +10,7 @@
 #include "support/same_picture.h"
 #include "support/small_scenes.h"
 #include "transport/efficiency_cells.h"
+#include "transport/heuristics.h"
 #include "transport/sources.h"
 
 /// Roulette by efficiency: no expectation changes, whatever cells claim to know.
@@ -127,30 +128,34 @@ TEST(EfficientPaths, BringTheSameLightWhateverCellsClaim) {
   }
 }
 
-/// A lens that light paths reach from everywhere, or not at all.
+/// Paths all of which bring the same, in rays, or do not reach the lens at all.
 class LensSink final : public PathSink {
  public:
-  explicit LensSink(bool sees) : sees_(sees) {}
-  void add(const Contribution& /*contribution*/) override { brought_ += 10.0; }
-  bool reaches(const Vec2& /*raster*/) const override { return sees_; }
+  explicit LensSink(double rays) : rays_(rays) {}
+  void add(const Contribution& /*contribution*/) override { brought_ += rays_; }
+  bool reaches(const Vec2& /*raster*/) const override { return rays_ > 0.0; }
+  float rays_per_unit_light(const Vec2& /*raster*/) const override {
+    return static_cast<float>(1.0 / kPrice);
+  }
+  double brought() const override { return kPrice * brought_; }
   double brought_to_lens() const override { return brought_; }
   bool learns() const override { return true; }
   bool knows_price() const override { return true; }
 
  private:
-  bool sees_;
+  double rays_;
   double brought_ = 0.0;
 };
 
 /// Rays of light subpaths once cells know what the first ones have brought.
-std::uint64_t rays_of_light(const Scene& scene, bool sees, bool learns) {
+std::uint64_t rays_of_light(const Scene& scene, double brings, bool learns) {
   constexpr std::uint32_t kLightPaths = 4000;
   EfficiencyCells cells(scene.bounds(), 1.0);
   PathSamplerSettings settings;
   settings.techniques = TechniqueSet::parse("ibpt");
   settings.max_depth = 12;
   settings.light_cells = learns ? &cells : nullptr;
-  LensSink sink(sees);
+  LensSink sink(brings);
   const auto trace = [&](std::uint32_t seed) {
     PathSampler sampler(scene, settings);
     for (std::uint32_t i = 0; i < kLightPaths; ++i) {
@@ -167,9 +172,53 @@ std::uint64_t rays_of_light(const Scene& scene, bool sees, bool learns) {
 /// Light subpaths are ended where they bring nothing, and nowhere if each vertex is worth its rays.
 TEST(EfficientPaths, OfLightEndWhereTheyBringNothing) {
   const auto scene = test::scene_from(test::small_scene("Room").text);
-  const auto usual = static_cast<double>(rays_of_light(*scene, true, false));
-  EXPECT_LT(static_cast<double>(rays_of_light(*scene, false, true)), 0.7 * usual);
-  EXPECT_GT(static_cast<double>(rays_of_light(*scene, true, true)), usual);
+  const auto usual = static_cast<double>(rays_of_light(*scene, 10.0, false));
+  EXPECT_LT(static_cast<double>(rays_of_light(*scene, 0.0, true)), 0.7 * usual);
+  EXPECT_GT(static_cast<double>(rays_of_light(*scene, 10.0, true)), usual);
+}
+
+/// Worths that cells know of paths each of which brings so much, in rays: camera subpaths, and
+/// light subpaths with their connections.
+std::vector<float> learned(const Scene& scene, double brings) {
+  EfficiencyCells cells(scene.bounds(), kPrice);
+  EfficiencyCells light_cells(scene.bounds(), 1.0);
+  PathSamplerSettings settings;
+  settings.techniques = TechniqueSet::parse("bdpt");
+  settings.max_depth = 6;
+  settings.cells = &cells;
+  settings.light_cells = &light_cells;
+  LensSink sink(brings);
+  PathSampler sampler(scene, settings);
+  const Vec2 size(scene.camera().resolution());
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    IndependentSource source({1, i, 1, i});
+    sampler.sample(source, source.get_pair({Stream::Camera, 0, kEmissionDirection}) * size, sink);
+  }
+  std::vector<float> worths;
+  for (EfficiencyCells* each : {&cells, &light_cells}) {
+    each->end_round();
+    for (std::uint32_t cell = 0; cell < 8; ++cell) {
+      worths.insert(worths.end(), each->worth(cell).begin(), each->worth(cell).end());
+    }
+  }
+  return worths;
+}
+
+/// Fireflies of any strength are worth as many rays as any other bright light.
+TEST(EfficientPaths, BoundWhatFirefliesSay) {
+  const auto scene = test::scene_from(test::small_scene("Room").text);
+  const double most = TransportHeuristics::kMostRays;
+  const std::vector<float> bright = learned(*scene, 1.01 * most);
+  EXPECT_EQ(learned(*scene, 1e6 * most), bright);
+  const std::vector<float> usual = learned(*scene, most / 100.0);
+  std::array<int, 2> known{};
+  for (std::size_t i = 0; i < bright.size(); ++i) {
+    if (usual[i] == 0.F) continue;
+    ++known[i < bright.size() / 2 ? 0 : 1];
+    EXPECT_GT(bright[i], 2.F * usual[i]) << "what is not bound says how bright it is";
+  }
+  EXPECT_GT(known[0], 0) << "of camera subpaths";
+  EXPECT_GT(known[1], 0) << "of light subpaths";
 }
 
 /// By region, with cells that learn as the render goes on.
