@@ -128,23 +128,28 @@ TEST(EfficientPaths, BringTheSameLightWhateverCellsClaim) {
   }
 }
 
-/// Paths all of which bring the same, in rays, or do not reach the lens at all.
+/// Paths all of which bring the same, in rays. Light subpaths do not reach the lens if they are not
+/// seen, or bring nothing.
 class LensSink final : public PathSink {
  public:
-  explicit LensSink(double rays) : rays_(rays) {}
-  void add(const Contribution& /*contribution*/) override { brought_ += rays_; }
-  bool reaches(const Vec2& /*raster*/) const override { return rays_ > 0.0; }
+  LensSink(double rays, bool sees) : rays_(rays), sees_(sees && rays > 0.0) {}
+  void add(const Contribution& contribution) override {
+    (contribution.technique.t == 1 ? to_lens_ : by_camera_) += rays_;
+  }
+  bool reaches(const Vec2& /*raster*/) const override { return sees_; }
   float rays_per_unit_light(const Vec2& /*raster*/) const override {
     return static_cast<float>(1.0 / kPrice);
   }
-  double brought() const override { return kPrice * brought_; }
-  double brought_to_lens() const override { return brought_; }
+  double brought() const override { return kPrice * by_camera_; }
+  double brought_to_lens() const override { return to_lens_; }
   bool learns() const override { return true; }
   bool knows_price() const override { return true; }
 
  private:
   double rays_;
-  double brought_ = 0.0;
+  bool sees_;
+  double by_camera_ = 0.0;
+  double to_lens_ = 0.0;
 };
 
 /// Rays of light subpaths once cells know what the first ones have brought.
@@ -155,7 +160,7 @@ std::uint64_t rays_of_light(const Scene& scene, double brings, bool learns) {
   settings.techniques = TechniqueSet::parse("ibpt");
   settings.max_depth = 12;
   settings.light_cells = learns ? &cells : nullptr;
-  LensSink sink(brings);
+  LensSink sink(brings, true);
   const auto trace = [&](std::uint32_t seed) {
     PathSampler sampler(scene, settings);
     for (std::uint32_t i = 0; i < kLightPaths; ++i) {
@@ -179,7 +184,7 @@ TEST(EfficientPaths, OfLightEndWhereTheyBringNothing) {
 
 /// Worths that cells know of paths each of which brings so much, in rays: camera subpaths, and
 /// light subpaths with their connections.
-std::vector<float> learned(const Scene& scene, double brings) {
+std::vector<float> learned(const Scene& scene, double brings, bool sees = true) {
   EfficiencyCells cells(scene.bounds(), kPrice);
   EfficiencyCells light_cells(scene.bounds(), 1.0);
   PathSamplerSettings settings;
@@ -187,7 +192,7 @@ std::vector<float> learned(const Scene& scene, double brings) {
   settings.max_depth = 6;
   settings.cells = &cells;
   settings.light_cells = &light_cells;
-  LensSink sink(brings);
+  LensSink sink(brings, sees);
   PathSampler sampler(scene, settings);
   const Vec2 size(scene.camera().resolution());
   for (std::uint32_t i = 0; i < 2000; ++i) {
@@ -219,6 +224,20 @@ TEST(EfficientPaths, BoundWhatFirefliesSay) {
   }
   EXPECT_GT(known[0], 0) << "of camera subpaths";
   EXPECT_GT(known[1], 0) << "of light subpaths";
+}
+
+/// Light subpaths that no lens sees bring what connections to them bring.
+TEST(EfficientPaths, OfLightLearnFromConnections) {
+  const auto scene = test::scene_from(test::small_scene("Room").text);
+  const std::vector<float> nothing = learned(*scene, 0.0);
+  const std::vector<float> unseen = learned(*scene, 1.0, false);
+  int known = 0;
+  for (std::size_t i = unseen.size() / 2; i < unseen.size(); ++i) {
+    if (unseen[i] == 0.F) continue;
+    ++known;
+    EXPECT_GT(unseen[i], 10.F * nothing[i]);
+  }
+  EXPECT_GT(known, 0);
 }
 
 /// By region, with cells that learn as the render goes on.

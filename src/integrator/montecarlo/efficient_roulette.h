@@ -10,9 +10,9 @@
 
 namespace ajar {
 
-/// State of roulette by efficiency (`EfficiencyCells`) in a render of ordinary Monte
-/// Carlo: what a ray has to bring, pixel by pixel, and what rays bring, place by place. It is
-/// frozen for a round, and learns for the next.
+/// State of roulette by efficiency (`EfficiencyCells`) in a render of ordinary Monte Carlo: what a
+/// ray has to bring, pixel by pixel, and what rays bring, place by place. It is frozen for a round,
+/// and learns for the next.
 ///
 /// With variance V and C rays per camera sample, the error after a given time follows V · C. A ray
 /// of contribution v, traced with probability q, adds v²/q to V and q to C, so that V · C is

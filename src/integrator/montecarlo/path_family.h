@@ -41,8 +41,8 @@ struct PathIntegratorContext {
   /// `kWeakLayer`.
   const Divisions* divisions = nullptr;
   const OutlierSinkFactory* strong = nullptr;  ///< see what it leaves to chains
-  /// Saves rays, and learns; its rounds are ended by whoever gives it. Without,
-  /// the parameter `roulette` decides.
+  /// Saves rays, and learns; its rounds are ended by whoever gives it. Without, the parameter
+  /// `roulette` decides.
   EfficientRoulette* roulette = nullptr;
   std::optional<PictureScale> scale{};  ///< measured unless it is known
   bool joins_by_manifolds = false;      ///< see `blind_spots`
