@@ -163,6 +163,20 @@ TEST(Selective, HasAPriceOfRaysUnlessRouletteIsPlain) {
   EXPECT_EQ(report_of(scene, 1, {{"roulette", "usual"}}).at("omc").at("ray_price"), 0.0);
 }
 
+TEST(Selective, EndsPathsByEfficiencyOfItselfUnlessSubpathsAreConnected) {
+  const Scene scene = test::builtin_scene("cornell");
+  const auto price = [&](const std::string& techniques, const std::string& roulette) {
+    return report_of(scene, 1, {{"techniques", techniques}, {"roulette", roulette}})
+        .at("omc")
+        .at("ray_price")
+        .get<double>();
+  };
+  EXPECT_GT(price("pt", "auto"), 0.0);
+  EXPECT_GT(price("ibpt", "auto"), 0.0);
+  EXPECT_EQ(price("bdpt", "auto"), 0.0);
+  EXPECT_GT(price("bdpt", "efficient"), 0.0);
+}
+
 /// Rounds of a preparation that have anything to do.
 int rounds_of(const std::string& scene_name) {
   const Scene scene = test::builtin_scene(scene_name);

@@ -100,6 +100,13 @@ std::vector<double> default_path_mutations() {
   return path_mutation_weights(Parameters(path_mutation_parameters(), {}));
 }
 
+ParameterSpec roulette_spec() {
+  ParameterSpec spec = roulette_parameter(kAuto);
+  spec.choices.insert(spec.choices.begin(), kAuto);
+  spec.help += "; auto: the former, unless techniques connect subpaths of both ends";
+  return spec;
+}
+
 }  // namespace
 
 std::vector<ParameterSpec> SelectiveConfig::parameters() {
@@ -130,7 +137,7 @@ std::vector<ParameterSpec> SelectiveConfig::parameters() {
           "samples that the division is decided from: cross-fitted (kept; each half of "
           "the replicates has the division of the other half's samples; needs 4 "
           "replicates, else discard), or discarded"),
-      roulette_parameter("efficient"),
+      roulette_spec(),
       number_parameter("split", kAuto,
                        "T: brightness, relative to the pixel's, of paths that ordinary Monte "
                        "Carlo and chains share evenly; auto: as a pilot finds, region by region",
@@ -153,7 +160,7 @@ SelectiveConfig::SelectiveConfig(const Scene& the_scene, const RenderSettings& r
       pilot_samples(std::clamp(SelectiveHeuristics::kPilotSamples / pixels(),
                                SelectiveHeuristics::kFewestOfPixel,
                                SelectiveHeuristics::kMostOfPixel)),
-      efficient_roulette(parameters.get_text("roulette") == "efficient"),
+      roulette(parameters.get_text("roulette")),
       antialias(parameters.get_text("edges") == "antialias"),
       regions(UserRegions::read(parameters.get_text("regions"), scene, settings)),
       omc(omc_of(parameters)),

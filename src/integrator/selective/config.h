@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/parameters.h"
@@ -40,7 +41,7 @@ struct SelectiveConfig {
   Objective objective;
   PilotSamples pilot;
   std::uint64_t pilot_samples;  ///< per pixel, at least
-  bool efficient_roulette;      ///< efficient_roulette.h
+  std::string roulette;         ///< parameter
   bool antialias;               ///< along edges where the division has a step
   UserRegions regions;
   PathFamilyDefaults omc;   ///< techniques of both halves, unless a pilot chooses

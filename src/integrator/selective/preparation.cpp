@@ -39,6 +39,11 @@ SelectivePreparation::SelectivePreparation(SelectiveConfig the_config)
       view(config.view),
       techniques(choose_techniques(config, config.omc)) {}
 
+bool SelectivePreparation::has_efficient_roulette() const {
+  if (config.roulette != kAuto) return config.roulette == "efficient";
+  return !TechniqueSet::parse(techniques.omc.techniques).any(TechniqueClass::Inner);
+}
+
 const PathGroup& SelectivePreparation::group_of(int depth) const {
   const auto& own = is_explicit(config.kind) ? techniques.depth_groups : techniques.groups;
   const auto group = std::find_if(own.begin(), own.end(),

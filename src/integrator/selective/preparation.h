@@ -34,6 +34,10 @@ struct SelectivePreparation {
 
   const SelectiveConfig config;
 
+  /// Cells end paths, rather than throughput. Connections between subpaths judge their worth by
+  /// themselves, and want many samples more than long subpaths.
+  bool has_efficient_roulette() const;
+
   // ---- BrightnessPilot
   double brightness = 0.0;  ///< mean luminance · importance of the pixels; 0: no light was found
   ChainView view;           ///< with the importance of places on the film; until then, that given

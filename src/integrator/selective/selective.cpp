@@ -170,7 +170,6 @@ void SelectiveIntegrator::take_dark(DarkPilot& pilot) {
   if (!(prepared_.brightness > 0.0)) prepared_.brightness = pilot.brightness();
   if (prepared_.brightness > 0.0) {
     prepared_.divisions.emplace(Division(prepared_.lowest_threshold(), prepared_.view.importance));
-    make_roulette(prepared_.scale ? prepared_.scale->mean : prepared_.brightness);
   } else {
     disable_chains(std::nullopt);
   }
@@ -178,7 +177,7 @@ void SelectiveIntegrator::take_dark(DarkPilot& pilot) {
 
 void SelectiveIntegrator::make_roulette(double magnitude) {
   const RenderSettings& settings = prepared_.config.settings;
-  if (!prepared_.config.efficient_roulette || settings.replicates < 2) return;
+  if (!prepared_.has_efficient_roulette() || settings.replicates < 2) return;
   prepared_.roulette =
       std::make_unique<EfficientRoulette>(prepared_.scene().bounds(), settings.crop, magnitude);
 }
@@ -187,6 +186,7 @@ void SelectiveIntegrator::take_techniques(TechniquePilot& pilot) {
   if (pilot.chosen()) {
     prepared_.techniques = choose_techniques(prepared_.config, *pilot.chosen());
   }
+  make_roulette(prepared_.scale ? prepared_.scale->mean : prepared_.brightness);
 }
 
 void SelectiveIntegrator::add_surfaces() {
