@@ -36,6 +36,7 @@ struct Request {
   ListArguments list;
   CompareArguments compare;
   StudyArguments study;
+  ViewArguments view;
 };
 
 /// An empty value is most likely a variable of a script that was never set.
@@ -231,6 +232,32 @@ void add_study(CLI::App& app, StudyArguments& a) {
       "Ctrl-C stops after the render that runs; the same command goes on where it stopped.");
 }
 
+void add_view(CLI::App& app, ViewArguments& a) {
+  CLI::App* command = app.add_subcommand("view", "Light a scene in a live page of the browser");
+  add_scene(command, a.scene);
+  add_options(command, commands::kView, a.scene.spec);
+  command
+      ->add_option_function<std::string>(
+          "--port",
+          [&a](const std::string& text) {
+            a.port = parse_whole("--port", text, Limits<int>{1, 65535});
+          },
+          "Port of the page; default: any that is free")
+      ->type_name("N")
+      ->group(kProgram);
+  command
+      ->add_option("--host", a.host,
+                   "Address to listen on; any but this machine's own is open to the network")
+      ->type_name("HOST")
+      ->check(kNotEmpty)
+      ->capture_default_str()
+      ->group(kProgram);
+  command->footer(
+      "Prints the address of the page. Ctrl-C saves the picture here and ends.\n"
+      "From another machine: ssh -L 8000:localhost:8000 HOST ajar view SCENE --port 8000\n"
+      "Example: ajar view builtin:torus-in-glass");
+}
+
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -338,6 +365,7 @@ int run(int argc, const char* const* argv, Ranks* ranks) {
   add_others(app, request);
   add_compare(app, request.compare);
   add_study(app, request.study);
+  add_view(app, request.view);
   for (CLI::App* command : app.get_subcommands({})) command->allow_extras();
   check_command(app, argc, argv);
 
@@ -362,6 +390,7 @@ int run(int argc, const char* const* argv, Ranks* ranks) {
   if (app.got_subcommand("convert")) return convert(request.convert);
   if (app.got_subcommand("compare")) return compare(request.compare);
   if (app.got_subcommand("study")) return study(request.study);
+  if (app.got_subcommand("view")) return view(request.view);
   return list(request.list);
 }
 

@@ -76,6 +76,13 @@ struct CompareArguments {
 };
 int compare(const CompareArguments& arguments);
 
+struct ViewArguments {
+  SceneArguments scene;
+  std::string host = "127.0.0.1";
+  int port = 0;  ///< 0: any that is free
+};
+int view(const ViewArguments& arguments);
+
 struct StudyArguments {
   std::string file;
   std::string out;  ///< empty: a folder here, called like the study

@@ -249,7 +249,7 @@ std::vector<RenderOption> options_of_pixels() {
        .flags = "--resolution",
        .value_name = "WxH",
        .group = OptionGroup::Pictures,
-       .commands = commands::kRender,
+       .commands = commands::kRender | commands::kView,
        .may_be_empty = true,
        .read = read_resolution},
       {.name = "scale",
@@ -261,7 +261,7 @@ std::vector<RenderOption> options_of_pixels() {
        .flags = "--scale",
        .value_name = "F",
        .group = OptionGroup::Pictures,
-       .commands = commands::kRender,
+       .commands = commands::kRender | commands::kView,
        .excludes = "--resolution",
        .read = reads(&S::scale, parse_number, "times the scene's own size", limits::kScale)},
       {.name = "crop",
@@ -274,7 +274,7 @@ std::vector<RenderOption> options_of_pixels() {
        .flags = "--crop",
        .value_name = "X0,Y0,X1,Y1",
        .group = OptionGroup::Pictures,
-       .commands = commands::kRender,
+       .commands = commands::kRender | commands::kView,
        .may_be_empty = true,
        .read = reads(&S::crop_window, parse_crop)},
       {.name = "filter",
@@ -289,7 +289,7 @@ std::vector<RenderOption> options_of_pixels() {
        .flags = "--filter",
        .value_name = "NAME[:RADIUS]",
        .group = OptionGroup::Pictures,
-       .commands = commands::kRender,
+       .commands = commands::kRender | commands::kView,
        .may_be_empty = true,
        .read =
            [](S& spec, const std::string& flag, const std::string& text) {
@@ -372,7 +372,7 @@ std::vector<RenderOption> options_of_method() {
        .flags = "--integrator",
        .value_name = "NAME",
        .group = OptionGroup::Method,
-       .commands = commands::kRender,
+       .commands = commands::kRender | commands::kView,
        .choices = names_of(integrators()),
        .read =
            [](S& spec, const std::string& /*flag*/, const std::string& text) {
@@ -388,7 +388,7 @@ std::vector<RenderOption> options_of_method() {
        .flags = "--set",
        .value_name = "KEY=VALUE",
        .group = OptionGroup::Method,
-       .commands = commands::kRender,
+       .commands = commands::kRender | commands::kView,
        .may_repeat = true,
        .read = assigns(&S::parameters)},
       {.name = "min_depth",
@@ -406,7 +406,7 @@ std::vector<RenderOption> options_of_method() {
        .flags = "--depth",
        .value_name = "MIN:MAX",
        .group = OptionGroup::Method,
-       .commands = commands::kRender,
+       .commands = commands::kRender | commands::kView,
        .may_be_empty = true,
        .read = read_depth},
       {.name = "seed",
@@ -418,7 +418,7 @@ std::vector<RenderOption> options_of_method() {
        .flags = "--seed",
        .value_name = "N",
        .group = OptionGroup::Method,
-       .commands = commands::kRender,
+       .commands = commands::kRender | commands::kView,
        .read = reads(&S::seed, parse_seed)}};
 }
 
@@ -472,7 +472,7 @@ std::vector<RenderOption> options_of_program() {
        .check = is_within(&S::threads, limits::kThreads),
        .flags = "--threads",
        .value_name = "N",
-       .commands = kRun,
+       .commands = kRun | commands::kView,
        .read = reads(&S::threads, parse_whole_number<int>, limits::kThreads)},
       {.name = "statistics",
        .member = &S::statistics,

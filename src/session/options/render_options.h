@@ -30,6 +30,7 @@ inline constexpr unsigned kRender = 1;
 inline constexpr unsigned kResume = 2;
 inline constexpr unsigned kMerge = 4;
 inline constexpr unsigned kDenoise = 8;
+inline constexpr unsigned kView = 32;
 inline constexpr unsigned kScene = 16;  ///< all that read a scene
 }  // namespace commands
 

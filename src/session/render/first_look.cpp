@@ -22,7 +22,9 @@ void show(RenderState& state, std::vector<float> rgb) {
   picture->layers.push_back({"", 3, std::move(rgb)});
   picture->metadata = to_metadata(state.statistics);
   if (state.preview) state.preview->show(*picture);
-  if (std::isfinite(state.request.show_every)) state.events.picture(*picture);
+  if (std::isfinite(state.request.show_every) || state.events.wants_picture()) {
+    state.events.picture(*picture);
+  }
   state.monitor.publish(std::move(picture));
 }
 

@@ -17,11 +17,12 @@ ProgressNotifier::ProgressNotifier(RenderEvents& events, double every, Snapshot 
 bool ProgressNotifier::wants_picture(const JobState& state) {
   if (state.passes > passes_told_) events_.progress(snapshot_());
   passes_told_ = state.passes;
-  return showing_.is_due();
+  is_wanted_ = showing_.is_due() || events_.wants_picture();
+  return is_wanted_;
 }
 
 void ProgressNotifier::see_picture(const Film& film, const JobState& state) {
-  if (showing_.is_due()) showing_.attempt([&] { events_.picture(develop_(film, state)); });
+  if (is_wanted_) showing_.attempt([&] { events_.picture(develop_(film, state)); });
 }
 
 }  // namespace ajar

@@ -25,6 +25,7 @@ class ProgressNotifier final : public PassObserver {
   PictureWriter::Develop develop_;
   RepeatedWriting showing_;
   std::uint64_t passes_told_ = 0;
+  bool is_wanted_ = false;  ///< after the last pass
 };
 
 }  // namespace ajar

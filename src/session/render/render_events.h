@@ -26,6 +26,9 @@ class RenderEvents {
   /// The picture as it is, every `RenderRequest::show_every` seconds; at first, unless these are
   /// infinite, what the preparation has seen.
   virtual void picture(const Picture& /*picture*/) {}
+  /// Asked after each pass, and when the preparation has seen something: true if `picture` is
+  /// wanted, however soon after the last.
+  virtual bool wants_picture() { return false; }
 
   /// Once the scene is built: what is unusual in it, all together.
   virtual void scene_warnings(const Warnings& /*warnings*/) {}
