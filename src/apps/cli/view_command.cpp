@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <thread>
 
@@ -6,6 +8,8 @@
 #include "apps/cli/messages.h"
 #include "apps/viewer/viewer.h"
 #include "core/error.h"
+#include "imageio/read_picture.h"
+#include "os/file_extension.h"
 #include "os/standard_streams.h"
 #include "session/job/interrupts.h"
 
@@ -15,6 +19,12 @@ namespace {
 
 bool is_loopback(const std::string& host) {
   return host == "localhost" || host == "::1" || host.starts_with("127.");
+}
+
+bool is_picture(const std::string& file) {
+  constexpr std::array kExtensions = {".exr", ".pfm", ".hdr"};
+  const std::string extension = file_extension(file);
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
 /// Nothing that was rendered is lost.
@@ -44,6 +54,9 @@ int view(const ViewArguments& a) {
   }
   viewer::ViewerOptions options;
   options.scene = a.scene.scene;
+  if (is_picture(a.scene.scene)) {
+    options.picture = std::make_shared<const Picture>(read_picture(a.scene.scene));
+  }
   options.spec = a.scene.spec;
   options.host = a.host;
   options.port = static_cast<std::uint16_t>(a.port);
@@ -58,6 +71,7 @@ int view(const ViewArguments& a) {
   viewer::Viewer viewer(std::move(options));
   print_result(viewer.address() + "\n");
   while (interrupt_count() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  if (is_picture(a.scene.scene)) return 0;
   save_last(viewer);
   return kExitInterrupted;
 }

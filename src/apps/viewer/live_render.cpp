@@ -21,6 +21,10 @@ namespace {
 /// Samples per pixel of a render that nothing but a person ends.
 constexpr std::uint64_t kEndless = std::uint64_t{1} << 31U;
 constexpr std::size_t kMostUndone = 200;
+/// Layers to look at, as far as the method makes them.
+constexpr std::array kLayers = {"albedo",  "normal",  "depth",          "object-id", "material-id",
+                                "samples", "noise",   "standard-error", "regions",   "importance",
+                                "edges",   "density", "acceptance"};
 constexpr std::size_t kMostHistory = 2000;
 
 std::filesystem::path make_folder() {
@@ -77,7 +81,8 @@ bool has_parameter(const std::string& integrator, const std::string& name) {
 }  // namespace
 
 const char* to_string(LivePhase phase) {
-  static constexpr std::array kNames = {"loading", "preparing", "rendering", "paused", "failed"};
+  static constexpr std::array kNames = {"loading", "preparing", "rendering",
+                                        "paused",  "finished",  "failed"};
   return kNames[static_cast<std::size_t>(phase)];
 }
 
@@ -381,6 +386,8 @@ RenderRequest LiveRender::request_of(const Job& job) const {
   request.spec = options_.spec;
   request.spec.outputs.clear();
   request.spec.denoise = "none";
+  if (request.spec.layers.empty()) request.spec.layers.assign(kLayers.begin(), kLayers.end());
+  request.may_lack_layers = true;
   Budget budget;
   budget.samples_per_pixel = kEndless;
   request.spec.set_budget(budget);

@@ -25,7 +25,7 @@ struct StopAt {
   std::optional<double> error;    ///< relative, as estimated
 };
 
-enum class LivePhase { Loading, Preparing, Rendering, Paused, Failed };
+enum class LivePhase { Loading, Preparing, Rendering, Paused, Finished, Failed };
 const char* to_string(LivePhase phase);
 
 /// All that is known about the picture.

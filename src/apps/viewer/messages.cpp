@@ -258,17 +258,16 @@ std::shared_ptr<const Mask> parse_mask(std::string_view bytes) {
 }
 
 json welcome_message(const std::string& scene, const desc::SceneDesc& description,
-                     const BuiltScene* built) {
-  json layers = json::array({{{"name", ""}, {"help", "the picture"}}});
+                     const BuiltScene& built) {
+  json layers = json::array({{{"name", ""}, {"help", "the picture"}},
+                             {{"name", kDenoisedLayer}, {"help", "the picture without noise"}}});
   for (const AovInfo& info : aovs()) {
     layers.push_back({{"name", info.name}, {"help", info.summary}});
   }
   json objects = json::array();
   json materials = json::array();
-  if (built != nullptr) {
-    for (const std::string& name : built->scene.object_names()) objects.push_back(name);
-    for (const std::string& name : built->scene.material_names()) materials.push_back(name);
-  }
+  for (const std::string& name : built.scene.object_names()) objects.push_back(name);
+  for (const std::string& name : built.scene.material_names()) materials.push_back(name);
   return {{"type", "welcome"},
           {"scene", scene},
           {"version", version()},
@@ -279,7 +278,23 @@ json welcome_message(const std::string& scene, const desc::SceneDesc& descriptio
           {"parts", json::parse(editable_parts(description), nullptr, false)}};
 }
 
-json state_message(const LiveStatus& status, const Picture* picture) {
+json welcome_message(const std::string& file, const Picture& picture) {
+  json layers = json::array();
+  for (const Picture::Layer& layer : picture.layers) {
+    const AovInfo* info = find_aov(layer.name.substr(0, layer.name.find('.')));
+    const std::string help = layer.name.empty() ? "the picture" : info ? info->summary : "";
+    layers.push_back({{"name", layer.name}, {"help", help}});
+  }
+  return {{"type", "welcome"},           {"scene", file},
+          {"version", version()},        {"integrators", json::array()},
+          {"layers", std::move(layers)}, {"objects", json::array()},
+          {"materials", json::array()},  {"parts", json::object()},
+          {"metadata", picture.metadata}};
+}
+
+json state_message(const LiveStatus& status, const Picture* picture, bool can_be_denoised) {
+  json layers = picture == nullptr ? json::array() : layers_json(*picture);
+  if (can_be_denoised && !layers.empty()) layers.insert(layers.begin() + 1, kDenoisedLayer);
   const LiveState& state = status.state;
   const Box2i& crop = status.crop;
   return {{"type", "state"},
@@ -296,7 +311,7 @@ json state_message(const LiveStatus& status, const Picture* picture) {
           {"error", or_null(status.error)},
           {"error_is_lower_bound", status.error_is_lower_bound},
           {"done", or_null(status.done)},
-          {"layers", picture == nullptr ? json::array() : layers_json(*picture)},
+          {"layers", std::move(layers)},
           {"integrator", state.integrator},
           {"parameters", state.parameters},
           {"rules", rules_json(state.rules)},

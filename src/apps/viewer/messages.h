@@ -20,8 +20,12 @@ StopAt parse_stop_at(const nlohmann::json& message);
 std::shared_ptr<const Mask> parse_mask(std::string_view bytes);
 
 nlohmann::json welcome_message(const std::string& scene, const desc::SceneDesc& description,
-                               const BuiltScene* built);
-nlohmann::json state_message(const LiveStatus& status, const Picture* picture);
+                               const BuiltScene& built);
+/// For a finished picture.
+nlohmann::json welcome_message(const std::string& file, const Picture& picture);
+/// `picture`: null before there is one.
+nlohmann::json state_message(const LiveStatus& status, const Picture* picture,
+                             bool can_be_denoised);
 nlohmann::json history_message(const LiveStatus& status);
 /// The values of a pixel. Raises UsageError if it is not in the picture.
 nlohmann::json pixel_message(const nlohmann::json& message, const Picture& picture,

@@ -38,12 +38,15 @@ std::string text_of(const json& message) {
 }  // namespace
 
 Viewer::Viewer(ViewerOptions options) : options_(std::move(options)), token_(make_token()) {
-  live_ = std::make_unique<LiveRender>(LiveRender::Options{options_.scene, options_.spec},
-                                       static_cast<LiveRender::Listener&>(*this));
+  if (options_.picture == nullptr) {
+    live_ = std::make_unique<LiveRender>(LiveRender::Options{options_.scene, options_.spec},
+                                         static_cast<LiveRender::Listener&>(*this));
+  }
   server_ = std::make_unique<WebServer>(
       WebServerOptions{options_.host, options_.port, token_, viewer_files(),
                        [this](const std::string& line) { tell(true, line); }},
       static_cast<WebServer::Listener&>(*this));
+  if (live_) denoised_ = std::make_unique<DenoisedView>([this] { changed(); });
   thread_ = std::thread([this] { run(); });
 }
 
@@ -54,7 +57,7 @@ Viewer::~Viewer() {
   }
   wake_.notify_all();
   if (thread_.joinable()) thread_.join();
-  // Its listener goes on until it has ended.
+  denoised_.reset();
   server_.reset();
   live_.reset();
 }
@@ -71,7 +74,7 @@ void Viewer::tell(bool is_warning, const std::string& text) const {
 
 std::string Viewer::save(const std::string& format) {
   if (format != "exr" && format != "png") throw UsageError("format is exr or png");
-  const auto [picture, epoch] = live_->picture();
+  const auto [picture, epoch] = shown();
   if (picture == nullptr) throw UsageError("there is no picture yet");
   const std::string stem = scene_stem(options_.scene);
   std::filesystem::path path;
@@ -111,6 +114,7 @@ void Viewer::text(PageId page, std::string_view message) {
 void Viewer::binary(PageId page, std::string_view message) {
   try {
     const std::shared_ptr<const Mask> mask = parse_mask(message);
+    if (!live_) throw UsageError("a finished picture has no regions");
     const Vec2i size = live_->status().resolution;
     if (mask && mask->size != size) throw UsageError("the mask is not as large as the picture");
     live_->change([&](LiveState& state) { state.mask = mask; });
@@ -148,11 +152,28 @@ void Viewer::answer(PageId page, const json& message) {
     watcher.picture = nullptr;
     wake_.notify_all();
   } else if (type == "inspect") {
-    const auto [picture, epoch] = live_->picture();
+    const auto [picture, epoch] = shown();
     if (picture == nullptr) return;
-    server_->send_text(page, text_of(pixel_message(message, *picture, live_->built_scene().get())),
+    server_->send_text(page, text_of(pixel_message(message, *picture, built_scene().get())),
                        kPixel);
-  } else if (type == "pause") {
+  } else if (type == "save") {
+    json answer = {{"type", "saved"}};
+    try {
+      answer["path"] = save(message.value("format", std::string()));
+      tell(false, "saved " + answer["path"].get<std::string>());
+    } catch (const Error& error) {
+      answer["error"] = error.what();
+    }
+    server_->send_text(page, text_of(answer));
+  } else if (live_) {
+    change(type, message);
+  } else {
+    throw UsageError("a finished picture does not change");
+  }
+}
+
+void Viewer::change(const std::string& type, const json& message) {
+  if (type == "pause") {
     live_->pause(true);
   } else if (type == "resume") {
     live_->pause(false);
@@ -164,15 +185,6 @@ void Viewer::answer(PageId page, const json& message) {
     live_->redo();
   } else if (type == "stop-at") {
     live_->stop_at(parse_stop_at(message));
-  } else if (type == "save") {
-    json answer = {{"type", "saved"}};
-    try {
-      answer["path"] = save(message.value("format", std::string()));
-      tell(false, "saved " + answer["path"].get<std::string>());
-    } catch (const Error& error) {
-      answer["error"] = error.what();
-    }
-    server_->send_text(page, text_of(answer));
   } else {
     const bool is_passing = message.value("moving", json()) == true;
     live_->change(
@@ -237,56 +249,85 @@ void Viewer::run() {
   }
 }
 
+Viewer::Shown Viewer::shown() const {
+  if (!live_) return {options_.picture, 1};
+  const auto [picture, epoch] = live_->picture();
+  return {picture, epoch};
+}
+
+Viewer::Shown Viewer::shown(const std::string& layer, const Shown& newest) const {
+  if (layer != kDenoisedLayer || !denoised_) return newest;
+  const auto latest = denoised_->latest();
+  return latest == nullptr ? newest : Shown{latest, newest.epoch};
+}
+
+LiveStatus Viewer::status() const {
+  if (live_) return live_->status();
+  LiveStatus status;
+  status.phase = LivePhase::Finished;
+  status.epoch = 1;
+  status.resolution = options_.picture->resolution;
+  status.crop = options_.picture->crop;
+  return status;
+}
+
+json Viewer::welcome() const {
+  if (!live_) return welcome_message(options_.scene, *options_.picture);
+  return welcome_message(options_.scene, live_->loaded_scene()->description(),
+                         *live_->built_scene());
+}
+
 void Viewer::send_state() {
-  const auto loaded = live_->loaded_scene();
-  const auto built = live_->built_scene();
-  const LiveStatus status = live_->status();
+  const bool is_ready = !live_ || (live_->loaded_scene() && live_->built_scene());
   std::vector<PageId> fresh;
   {
     const std::lock_guard lock(mutex_);
     for (auto& [page, watcher] : watchers_) {
-      if (watcher.is_new && loaded != nullptr && built != nullptr) {
-        fresh.push_back(page);
-        watcher.is_new = false;
-      }
+      if (watcher.is_new && is_ready) fresh.push_back(page);
+      watcher.is_new = watcher.is_new && !is_ready;
     }
   }
-  for (const PageId page : fresh) {
-    server_->send_text(
-        page, text_of(welcome_message(options_.scene, loaded->description(), built.get())));
-  }
-  const auto [picture, epoch] = live_->picture();
-  send_to_all(state_message(status, picture.get()), kState);
-  send_to_all(history_message(status), kHistory);
+  for (const PageId page : fresh) server_->send_text(page, text_of(welcome()));
+  const Shown newest = shown();
+  const LiveStatus now = status();
+  send_to_all(state_message(now, newest.picture.get(), denoised_ != nullptr), kState);
+  send_to_all(history_message(now), kHistory);
 }
 
 void Viewer::send_frames() {
-  const auto [picture, epoch] = live_->picture();
-  if (picture == nullptr) return;
+  const Shown newest = shown();
+  if (newest.picture == nullptr) return;
+  if (denoised_ && std::exchange(denoised_epoch_, newest.epoch) != newest.epoch) {
+    denoised_->forget();
+  }
   struct Frame {
     PageId page;
     std::string layer;
     FrameHeader header;
+    Shown shown;
   };
   std::vector<Frame> frames;
   {
     const std::lock_guard lock(mutex_);
     for (auto& [page, watcher] : watchers_) {
+      if (denoised_ && watcher.layer == kDenoisedLayer) denoised_->want(newest.picture);
       if (watcher.drawn != watcher.sent) continue;
-      const bool is_same = watcher.picture == picture.get() && watcher.epoch == epoch;
+      const Shown now = shown(watcher.layer, newest);
+      const bool is_same = watcher.picture == now.picture.get() && watcher.epoch == now.epoch;
       // When there is nothing newer the finest follows.
       if (is_same && watcher.step == 1) continue;
       watcher.step = is_same ? std::max(1, watcher.step / 2) : watcher.next_step;
-      watcher.picture = picture.get();
-      watcher.epoch = epoch;
+      watcher.picture = now.picture.get();
+      watcher.epoch = now.epoch;
       watcher.sent_at = clock_.seconds();
-      frames.push_back({page, watcher.layer, {++watcher.sent, epoch, watcher.step}});
+      frames.push_back({page, watcher.layer, {++watcher.sent, now.epoch, watcher.step}, now});
     }
   }
   for (const Frame& frame : frames) {
-    const Picture::Layer* layer = layer_named(*picture, frame.layer);
-    if (layer == nullptr) layer = &picture->layers.front();
-    server_->send_binary(frame.page, encode_frame(*picture, *layer, frame.header));
+    const Picture& picture = *frame.shown.picture;
+    const Picture::Layer* layer = layer_named(picture, frame.layer);
+    if (layer == nullptr) layer = &picture.layers.front();
+    server_->send_binary(frame.page, encode_frame(picture, *layer, frame.header));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "apps/viewer/denoised_view.h"
 #include "apps/viewer/live_render.h"
 #include "apps/viewer/web_server.h"
 
@@ -22,16 +23,17 @@ std::span<const viewer::ServedFile> viewer_files();
 namespace ajar::viewer {
 
 struct ViewerOptions {
-  std::string scene;
+  std::string scene;  ///< or the file of `picture`
   RenderSpec spec;
+  std::shared_ptr<const Picture> picture;  ///< to be looked at; null: the scene is rendered
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;    ///< 0: any that is free
   std::string folder = ".";  ///< where pictures are saved
   std::function<void(bool is_warning, const std::string& text)> tell;
 };
 
-/// A live render with its pages. The render asks for nothing but what pages have room for: without
-/// any it develops no picture.
+/// A live render, or a finished picture, with its pages. The render asks for nothing but what pages
+/// have room for: without any it develops no picture.
 class Viewer final : WebServer::Listener, LiveRender::Listener {
  public:
   /// Raises IoError if it cannot listen there.
@@ -67,7 +69,22 @@ class Viewer final : WebServer::Listener, LiveRender::Listener {
   void changed() override;
   void note(bool is_warning, const std::string& text) override;
 
+  /// A picture, and the number of the scene that it is of.
+  struct Shown {
+    std::shared_ptr<const Picture> picture;
+    std::uint32_t epoch = 0;
+  };
+
   void answer(PageId page, const nlohmann::json& message);
+  void change(const std::string& type, const nlohmann::json& message);
+  Shown shown() const;
+  /// The picture that has a layer: another for the denoised one of a render.
+  Shown shown(const std::string& layer, const Shown& newest) const;
+  LiveStatus status() const;
+  std::shared_ptr<const BuiltScene> built_scene() const {
+    return live_ ? live_->built_scene() : nullptr;
+  }
+  nlohmann::json welcome() const;
   void acknowledge(PageId page, std::uint32_t frame);
   void send_to_all(const nlohmann::json& message, int slot);
   void run();
@@ -86,8 +103,10 @@ class Viewer final : WebServer::Listener, LiveRender::Listener {
   bool ended_ = false;
   double due_ = 0.0;  ///< when a picture may be wanted again
 
-  std::unique_ptr<LiveRender> live_;
+  std::unique_ptr<LiveRender> live_;  ///< null where there is a finished picture
   std::unique_ptr<WebServer> server_;
+  std::unique_ptr<DenoisedView> denoised_;
+  std::uint32_t denoised_epoch_ = 0;  ///< by the viewer's thread only
   std::thread thread_;
 };
 

@@ -160,7 +160,7 @@ void make_film(RenderState& state) {
   const ResolvedRender& setup = state.plan->setup;
   const std::vector<LayerSpec> layers = state.integrator->layers();
   if (!state.request.as_before && !state.request.spec.wants_all_layers() &&
-      state.statistics.prepared) {
+      !state.request.may_lack_layers && state.statistics.prepared) {
     std::vector<LayerSpec> made = layers;
     for (const auto& [name, plane] : state.integrator->findings().maps)
       made.push_back({.name = name});

@@ -25,6 +25,7 @@ struct RenderRequest {
   RenderSpec spec;
   /// Go on with `resumed` as it was: of what decides the picture `spec` has what that says.
   bool as_before = false;
+  bool may_lack_layers = false;   ///< without those that the method does not make
   bool default_pictures = false;  ///< if none is named: `default_outputs`
   /// Where to go on. With a request, too, it must be of the same render.
   std::optional<Checkpoint> resumed;
