@@ -45,7 +45,7 @@ std::string encode_frame(const Picture& picture, const Picture::Layer& layer,
   put(bytes, header.epoch);
   for (const int value : {picture.resolution.x, picture.resolution.y, picture.crop.min.x,
                           picture.crop.min.y, size.x, size.y, step}) {
-    put(bytes, static_cast<std::uint16_t>(value));
+    put(bytes, static_cast<std::uint16_t>(value * header.coarseness));
   }
   put(bytes, static_cast<std::uint8_t>(layer.channels));
   const std::size_t name = std::min<std::size_t>(layer.name.size(), 255);

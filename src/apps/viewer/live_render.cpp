@@ -71,6 +71,24 @@ void write_text(const std::string& path, const std::string& text) {
   if (!file) throw IoError("view: cannot write " + path);
 }
 
+/// So that a preview has about as many pixels as can be rendered between two moves of a mouse.
+int preview_coarseness(const Vec2i& resolution) {
+  constexpr int kLongerSide = 320;
+  return std::max(1, (std::max(resolution.x, resolution.y) + kLongerSide - 1) / kLongerSide);
+}
+
+/// Plain path tracing, which needs no preparation.
+void make_preview(RenderSpec& spec, const Vec2i& resolution, int coarseness) {
+  spec.integrator = "pt";
+  spec.parameters.clear();
+  spec.layers = {"object-id"};
+  spec.scale.reset();
+  spec.resolution = {std::max(1, resolution.x / coarseness),
+                     std::max(1, resolution.y / coarseness)};
+  spec.crop.reset();
+  spec.crop_window.reset();
+}
+
 bool has_parameter(const std::string& integrator, const std::string& name) {
   for (const ParameterSpec& spec : find_integrator(integrator).parameters) {
     if (spec.name == name) return true;
@@ -102,6 +120,7 @@ Picture add_epochs(const Picture& a, double samples_of_a, const Picture& b, doub
 struct LiveRender::Job {
   LiveState state;
   std::uint64_t version = 0;
+  int coarseness = 1;
 };
 
 /// Listens to one render, on the thread that renders.
@@ -285,7 +304,7 @@ void LiveRender::work() {
       std::unique_lock lock(mutex_);
       wake_.wait(lock, [this] { return ended_ || version_ != begun_; });
       if (ended_) return;
-      job = {state_, version_};
+      job = {state_, version_, is_passing_ ? preview_coarseness(status_.resolution) : 1};
       begun_ = version_;
     }
     try {
@@ -327,7 +346,9 @@ void LiveRender::fail(const std::string& why) {
 void LiveRender::begin(Job& job) {
   std::shared_ptr<LoadedScene> loaded = loaded_;
   const bool is_other_scene = !rendered_ || job.state.is_other_scene(*rendered_);
-  const bool is_other = !rendered_ || job.state.is_other_picture(*rendered_);
+  // A preview is another picture, and so is what comes after it.
+  const bool is_other =
+      !rendered_ || job.state.is_other_picture(*rendered_) || job.coarseness > 1 || coarseness_ > 1;
   if (is_other_scene && (job.state.camera || !job.state.edits.empty())) {
     desc::SceneDesc description = original_->description();
     if (job.state.camera) move_camera(description.camera, *job.state.camera);
@@ -355,6 +376,7 @@ void LiveRender::begin(Job& job) {
   }
   samples_ = 0.0;
   rendered_ = job.state;
+  coarseness_ = job.coarseness;
   status_.phase = LivePhase::Preparing;
   status_.message.clear();
 }
@@ -398,6 +420,10 @@ RenderRequest LiveRender::request_of(const Job& job) const {
   request.spec.crop = job.state.crop;
   // Epochs must not repeat each other.
   request.spec.seed = options_.spec.seed + job.version - 1;
+  if (job.coarseness > 1) {
+    make_preview(request.spec, status_.resolution, job.coarseness);
+    return request;
+  }
   if (has_parameter(job.state.integrator, "regions")) {
     const std::string file = regions_file(job.state);
     if (!file.empty()) request.spec.parameters["regions"] = file;
@@ -444,10 +470,12 @@ void LiveRender::take(const Picture& picture) {
     shown = std::make_shared<const Picture>(add_epochs(*before, samples_before, *newest, samples));
   }
   const std::lock_guard lock(mutex_);
+  shown_coarseness_ = coarseness_;
   newest_ = std::move(newest);
   shown_ = std::move(shown);
   samples_ = samples;
   if (!built_) built_ = loaded_->built(picture.resolution, options_.spec.filter);
+  if (coarseness_ > 1) return;
   status_.resolution = picture.resolution;
   status_.crop = picture.crop;
 }
@@ -483,9 +511,9 @@ LiveStatus LiveRender::status() const {
   return status;
 }
 
-std::pair<std::shared_ptr<const Picture>, std::uint32_t> LiveRender::picture() const {
+LivePicture LiveRender::picture() const {
   const std::lock_guard lock(mutex_);
-  return {shown_, status_.epoch};
+  return {shown_, status_.epoch, shown_coarseness_};
 }
 
 std::shared_ptr<const LoadedScene> LiveRender::loaded_scene() const {

@@ -48,6 +48,15 @@ struct LiveStatus {
   std::vector<std::pair<double, double>> history;  ///< seconds, error
 };
 
+/// The newest picture.
+struct LivePicture {
+  std::shared_ptr<const Picture> picture;  ///< null before there is one
+  std::uint32_t epoch = 0;                 ///< see `LiveStatus`
+  /// Pixels of the image, across and down, that each of its pixels stands for: while a mouse moves
+  /// the camera the picture is a small one.
+  int coarseness = 1;
+};
+
 /// A picture of a scene that is rendered until it is good, while a person changes it. Its sets of
 /// regions are epochs: each is a render of its own, unbiased by itself, and they are added by their
 /// numbers of samples, whatever they look like. All else that changes begins a new picture.
@@ -84,8 +93,7 @@ class LiveRender {
   void stop_at(const StopAt& limits);
 
   LiveStatus status() const;
-  /// The newest picture, null before there is one, and the epoch that it is of.
-  std::pair<std::shared_ptr<const Picture>, std::uint32_t> picture() const;
+  LivePicture picture() const;
   /// Null until there is a picture of it.
   std::shared_ptr<const BuiltScene> built_scene() const;
   /// Null until it was loaded.
@@ -118,7 +126,9 @@ class LiveRender {
   std::condition_variable wake_;
   bool ended_ = false;
   bool paused_ = false;
-  bool is_passing_ = false;
+  bool is_passing_ = false;  ///< the last change was
+  int coarseness_ = 1;       ///< coarseness of the render that runs
+  int shown_coarseness_ = 1;
   std::uint64_t version_ = 1;  ///< counts what begins another render
   std::uint64_t begun_ = 0;    ///< version of the last that began
   LiveState state_;

@@ -38,7 +38,7 @@ class LiveRenderTest : public ::testing::Test, public LiveRender::Listener {
     return waits_until([&](const LiveStatus& status) { return status.samples >= samples; });
   }
   double mean() const {
-    const auto picture = live_->picture().first;
+    const auto picture = live_->picture().picture;
     double sum = 0.0;
     for (const float value : picture->layers.front().pixels) sum += static_cast<double>(value);
     return sum / static_cast<double>(picture->layers.front().pixels.size());
@@ -118,6 +118,27 @@ TEST_F(LiveRenderTest, StepsOfAMouseAreUndoneTogether) {
   live_->undo();
   EXPECT_EQ(live_->status().camera.position, first.position);
   EXPECT_FALSE(live_->status().can_undo);
+}
+
+TEST_F(LiveRenderTest, AMovingCameraShowsASmallPicture) {
+  begin("builtin:cornell", "selective", 640);
+  ASSERT_TRUE(waits_until([&](const LiveStatus&) { return live_->picture().picture != nullptr; }));
+  const CameraPose first = live_->status().camera;
+  const auto move = [&](float by, bool is_passing) {
+    live_->change(
+        [&](LiveState& state) {
+          state.camera = first;
+          state.camera->position.x += by;
+        },
+        is_passing);
+  };
+  move(0.1F, true);
+  ASSERT_TRUE(waits_until([&](const LiveStatus&) { return live_->picture().coarseness == 2; }));
+  EXPECT_EQ(live_->picture().picture->resolution, Vec2i(320, 320));
+  EXPECT_EQ(live_->status().resolution, Vec2i(640, 640)) << "that of the image";
+  move(0.2F, false);
+  ASSERT_TRUE(waits_until([&](const LiveStatus&) { return live_->picture().coarseness == 1; }));
+  EXPECT_EQ(live_->picture().picture->resolution, Vec2i(640, 640));
 }
 
 TEST_F(LiveRenderTest, TellsWhatFailsAndGoesOn) {

@@ -74,7 +74,7 @@ void Viewer::tell(bool is_warning, const std::string& text) const {
 
 std::string Viewer::save(const std::string& format) {
   if (format != "exr" && format != "png") throw UsageError("format is exr or png");
-  const auto [picture, epoch] = shown();
+  const std::shared_ptr<const Picture> picture = shown().picture;
   if (picture == nullptr) throw UsageError("there is no picture yet");
   const std::string stem = scene_stem(options_.scene);
   std::filesystem::path path;
@@ -152,8 +152,8 @@ void Viewer::answer(PageId page, const json& message) {
     watcher.picture = nullptr;
     wake_.notify_all();
   } else if (type == "inspect") {
-    const auto [picture, epoch] = shown();
-    if (picture == nullptr) return;
+    const auto [picture, epoch, coarseness] = shown();
+    if (picture == nullptr || coarseness > 1) return;
     server_->send_text(page, text_of(pixel_message(message, *picture, built_scene().get())),
                        kPixel);
   } else if (type == "save") {
@@ -249,16 +249,14 @@ void Viewer::run() {
   }
 }
 
-Viewer::Shown Viewer::shown() const {
-  if (!live_) return {options_.picture, 1};
-  const auto [picture, epoch] = live_->picture();
-  return {picture, epoch};
+LivePicture Viewer::shown() const {
+  return live_ ? live_->picture() : LivePicture{options_.picture, 1, 1};
 }
 
-Viewer::Shown Viewer::shown(const std::string& layer, const Shown& newest) const {
+LivePicture Viewer::shown(const std::string& layer, const LivePicture& newest) const {
   if (layer != kDenoisedLayer || !denoised_) return newest;
   const auto latest = denoised_->latest();
-  return latest == nullptr ? newest : Shown{latest, newest.epoch};
+  return latest == nullptr ? newest : LivePicture{latest, newest.epoch, newest.coarseness};
 }
 
 LiveStatus Viewer::status() const {
@@ -288,14 +286,14 @@ void Viewer::send_state() {
     }
   }
   for (const PageId page : fresh) server_->send_text(page, text_of(welcome()));
-  const Shown newest = shown();
+  const LivePicture newest = shown();
   const LiveStatus now = status();
   send_to_all(state_message(now, newest.picture.get(), denoised_ != nullptr), kState);
   send_to_all(history_message(now), kHistory);
 }
 
 void Viewer::send_frames() {
-  const Shown newest = shown();
+  const LivePicture newest = shown();
   if (newest.picture == nullptr) return;
   if (denoised_ && std::exchange(denoised_epoch_, newest.epoch) != newest.epoch) {
     denoised_->forget();
@@ -304,7 +302,7 @@ void Viewer::send_frames() {
     PageId page;
     std::string layer;
     FrameHeader header;
-    Shown shown;
+    LivePicture shown;
   };
   std::vector<Frame> frames;
   {
@@ -312,7 +310,7 @@ void Viewer::send_frames() {
     for (auto& [page, watcher] : watchers_) {
       if (denoised_ && watcher.layer == kDenoisedLayer) denoised_->want(newest.picture);
       if (watcher.drawn != watcher.sent) continue;
-      const Shown now = shown(watcher.layer, newest);
+      const LivePicture now = shown(watcher.layer, newest);
       const bool is_same = watcher.picture == now.picture.get() && watcher.epoch == now.epoch;
       // When there is nothing newer the finest follows.
       if (is_same && watcher.step == 1) continue;
@@ -320,7 +318,8 @@ void Viewer::send_frames() {
       watcher.picture = now.picture.get();
       watcher.epoch = now.epoch;
       watcher.sent_at = clock_.seconds();
-      frames.push_back({page, watcher.layer, {++watcher.sent, now.epoch, watcher.step}, now});
+      frames.push_back(
+          {page, watcher.layer, {++watcher.sent, now.epoch, watcher.step, now.coarseness}, now});
     }
   }
   for (const Frame& frame : frames) {

@@ -69,17 +69,11 @@ class Viewer final : WebServer::Listener, LiveRender::Listener {
   void changed() override;
   void note(bool is_warning, const std::string& text) override;
 
-  /// A picture, and the number of the scene that it is of.
-  struct Shown {
-    std::shared_ptr<const Picture> picture;
-    std::uint32_t epoch = 0;
-  };
-
   void answer(PageId page, const nlohmann::json& message);
   void change(const std::string& type, const nlohmann::json& message);
-  Shown shown() const;
+  LivePicture shown() const;
   /// The picture that has a layer: another for the denoised one of a render.
-  Shown shown(const std::string& layer, const Shown& newest) const;
+  LivePicture shown(const std::string& layer, const LivePicture& newest) const;
   LiveStatus status() const;
   std::shared_ptr<const BuiltScene> built_scene() const {
     return live_ ? live_->built_scene() : nullptr;

@@ -48,7 +48,7 @@ class ByHand {
   }
   bool draws = true;
   int frames = 0;
-  std::string layer;  ///< of the last frame
+  std::string layer;  ///< layer of the last frame
 
  private:
   static std::uint16_t port_of(const std::string& address) {
