@@ -135,7 +135,7 @@ const std::multimap<std::string, Unfitted>& unfitted() {
       {"session/render/memory_estimate.cpp", {"counted in the program", {"kPictureCopies"}}},
       {"session/options/option_values.h", {"limit of a parameter", {"kMostShares"}}},
       {"session/options/render_options.h",
-       {"flags", {"kRender", "kResume", "kMerge", "kDenoise", "kScene"}}},
+       {"flags", {"kRender", "kResume", "kMerge", "kDenoise", "kView", "kScene"}}},
       {"integrator/integrator.h", {"flag", {"kPerReplicate"}}},
       {"session/output/picture_filter.cpp",
        {"counted in the program", {"kPictures", "kReplicates", "kFilterings"}}},

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/number_text.h"
 #include "import/code/scene_changes.h"
 #include "integrator/integrator.h"
 #include "session/output/write_picture.h"
@@ -42,7 +43,7 @@ bool is_light(const Picture::Layer& layer) {
 
 double samples_of(const Picture& picture) {
   const auto found = picture.metadata.find("ajar:samples_per_pixel");
-  return found == picture.metadata.end() ? 0.0 : std::stod(found->second);
+  return found == picture.metadata.end() ? 0.0 : number_of(found->second).value_or(0.0);
 }
 
 /// Error of the mean of two pictures by samples.
