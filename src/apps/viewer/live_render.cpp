@@ -172,11 +172,20 @@ class LiveRender::Events final : public RenderEvents {
   void scene_warnings(const Warnings& warnings) override {
     for (const std::string& text : warnings.messages()) live_.listener_.note(true, text);
   }
-  void warning(const Warning& warning) override { live_.listener_.note(true, warning.text()); }
-  void trouble(const std::string& text) override { live_.listener_.note(true, text); }
-  void note(const std::string& text) override { live_.listener_.note(false, text); }
+  void warning(const Warning& warning) override { tell(true, warning.text()); }
+  void trouble(const std::string& text) override { tell(true, text); }
+  void note(const std::string& text) override { tell(false, text); }
 
  private:
+  /// Nobody wants to hear of a render that was stopped for another.
+  void tell(bool is_warning, const std::string& text) {
+    {
+      const std::lock_guard lock(live_.mutex_);
+      if (live_.version_ != version_) return;
+    }
+    live_.listener_.note(is_warning, text);
+  }
+
   LiveRender& live_;
   std::uint64_t version_;
 };

@@ -240,6 +240,17 @@ StopAt parse_stop_at(const json& message) {
           positive_or_null(message, "error")};
 }
 
+DisplayOptions parse_display(const json& message) {
+  DisplayOptions display;
+  if (message.contains("exposure")) {
+    const double stops = number_of(message["exposure"], "exposure");
+    check_within(limits::kStops, static_cast<float>(stops), "exposure");
+    display.exposure = static_cast<float>(stops);
+  }
+  if (message.contains("tone")) display.tone_map = tone_map_by_name(text_of(message, "tone"));
+  return display;
+}
+
 std::shared_ptr<const Mask> parse_mask(std::string_view bytes) {
   constexpr std::size_t kHeader = 12;
   if (bytes.size() < kHeader || bytes.substr(0, 4) != "AJM1") throw UsageError("no mask");

@@ -10,6 +10,7 @@
 #include "apps/viewer/frame.h"
 #include "apps/viewer/messages.h"
 #include "core/error.h"
+#include "session/output/denoise_file.h"
 #include "session/output/write_picture.h"
 #include "session/scenes/scene_file.h"
 
@@ -57,6 +58,7 @@ Viewer::~Viewer() {
   }
   wake_.notify_all();
   if (thread_.joinable()) thread_.join();
+  if (saving_.valid()) saving_.wait();
   denoised_.reset();
   server_.reset();
   live_.reset();
@@ -72,18 +74,40 @@ void Viewer::tell(bool is_warning, const std::string& text) const {
   if (options_.tell) options_.tell(is_warning, text);
 }
 
-std::string Viewer::save(const std::string& format) {
+std::string Viewer::save(const std::string& format, const DisplayOptions& display) {
   if (format != "exr" && format != "png") throw UsageError("format is exr or png");
-  const std::shared_ptr<const Picture> picture = shown().picture;
-  if (picture == nullptr) throw UsageError("there is no picture yet");
+  const auto shown_picture = shown().picture;
+  if (shown_picture == nullptr) throw UsageError("there is no picture yet");
+  Picture picture = *shown_picture;
+  if (layer_named(picture, kDenoisedLayer) == nullptr && has_features(picture)) {
+    denoise_picture(picture, find_denoiser("auto"), {});
+  }
   const std::string stem = scene_stem(options_.scene);
   std::filesystem::path path;
   for (int number = 1;; ++number) {
     path = std::filesystem::path(options_.folder) / fmt::format("{}-{}.{}", stem, number, format);
     if (!std::filesystem::exists(path)) break;
   }
-  write_picture(path.string(), *picture, options_.spec.display().of(*picture));
+  write_picture(path.string(), picture, display);
   return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+void Viewer::save_for(PageId page, const json& message) {
+  const std::string format = message.value("format", std::string());
+  const DisplayOptions display = parse_display(message);
+  if (saving_.valid() && saving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    throw UsageError("the last picture is still being saved");
+  }
+  saving_ = std::async(std::launch::async, [this, page, format, display] {
+    json answer = {{"type", "saved"}};
+    try {
+      answer["path"] = save(format, display);
+      tell(false, "saved " + answer["path"].get<std::string>());
+    } catch (const std::exception& error) {
+      answer["error"] = error.what();
+    }
+    server_->send_text(page, text_of(answer));
+  });
 }
 
 // ---------------------------------------------------------------- pages
@@ -157,14 +181,7 @@ void Viewer::answer(PageId page, const json& message) {
     server_->send_text(page, text_of(pixel_message(message, *picture, built_scene().get())),
                        kPixel);
   } else if (type == "save") {
-    json answer = {{"type", "saved"}};
-    try {
-      answer["path"] = save(message.value("format", std::string()));
-      tell(false, "saved " + answer["path"].get<std::string>());
-    } catch (const Error& error) {
-      answer["error"] = error.what();
-    }
-    server_->send_text(page, text_of(answer));
+    save_for(page, message);
   } else if (live_) {
     change(type, message);
   } else {

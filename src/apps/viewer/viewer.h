@@ -2,6 +2,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -44,8 +45,9 @@ class Viewer final : WebServer::Listener, LiveRender::Listener {
 
   /// The address of the page, with the token.
   std::string address() const;
-  /// Writes the picture as it is: its path. Raises Error.
-  std::string save(const std::string& format);
+  /// Writes the picture as it is, "exr" or "png": its path. As `ajar render` has them, without
+  /// noise in the layer "denoised" and in what is for the eye; that takes a while. Raises Error.
+  std::string save(const std::string& format, const DisplayOptions& display = {});
 
  private:
   /// A page: what it shows, and what it has.
@@ -71,6 +73,7 @@ class Viewer final : WebServer::Listener, LiveRender::Listener {
 
   void answer(PageId page, const nlohmann::json& message);
   void change(const std::string& type, const nlohmann::json& message);
+  void save_for(PageId page, const nlohmann::json& message);
   LivePicture shown() const;
   /// The picture that has a layer: another for the denoised one of a render.
   LivePicture shown(const std::string& layer, const LivePicture& newest) const;
@@ -100,6 +103,7 @@ class Viewer final : WebServer::Listener, LiveRender::Listener {
   std::unique_ptr<LiveRender> live_;  ///< null where there is a finished picture
   std::unique_ptr<WebServer> server_;
   std::unique_ptr<DenoisedView> denoised_;
+  std::future<void> saving_;          ///< by the server's thread only
   std::uint32_t denoised_epoch_ = 0;  ///< by the viewer's thread only
   std::thread thread_;
 };

@@ -50,7 +50,8 @@ export class Controls {
   }
 
   save(format: "exr" | "png"): void {
-    this.app.socket.send({ type: "save", format });
+    const { exposure, tone } = this.app.display;
+    this.app.socket.send({ type: "save", format, exposure, tone });
   }
 
   private isHalted(): boolean {

@@ -141,4 +141,4 @@ export type ToServer =
   | { type: "resolution"; width: number; height: number }
   | { type: "crop"; window: Window | null }
   | { type: "edit"; kind: PartKind; index: number; parameters: Record<string, PartValue> }
-  | { type: "save"; format: "exr" | "png" };
+  | { type: "save"; format: "exr" | "png"; exposure: number; tone: string };
