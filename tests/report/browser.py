@@ -106,11 +106,12 @@ class Browser:
     def resize(self, width, height, scale=1):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=False)
 
-    def open(self, url):
+    def open(self, url, ready="location.protocol === 'file:' && typeof ajar === 'object' && ajar.data"):
+        """Loads a page, a report by default, until the JavaScript condition `ready` holds."""
         # Another fragment alone would not load the page anew.
         self.call("Page.navigate", url="about:blank")
         self.call("Page.navigate", url=url)
-        self.wait("document.readyState === 'complete' && location.protocol === 'file:' && typeof ajar === 'object' && ajar.data")
+        self.wait(f"document.readyState === 'complete' && ({ready})")
 
     def evaluate(self, expression):
         """The value of a JavaScript expression; promises are awaited."""
@@ -159,9 +160,11 @@ class Browser:
         self.settle()
 
     def click(self, selector):
-        x, y = self.middle(selector)
+        self.click_at(*self.middle(selector))
+
+    def click_at(self, x, y, shift=False):
         for kind in ("mousePressed", "mouseReleased"):
-            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1, modifiers=8 if shift else 0)
         self.settle()
 
     def wheel(self, x, y, pixels):

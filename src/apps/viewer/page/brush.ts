@@ -17,6 +17,7 @@ export class Brush {
   private height = 0;
   private weights: Uint8Array | null = null;
   private sentAt = -Infinity;
+  private isPainting = false;
   /// The weights as colours, as large as the picture.
   private readonly canvas = document.createElement("canvas");
   private readonly size = ajar.element("input", { type: "range", min: 2, max: 200, value: 40, id: "brush-size" });
@@ -35,8 +36,8 @@ export class Brush {
     const shown = ajar.element("output", { for: "brush-weight" }, "1.00");
     this.weight.addEventListener("input", () => (shown.textContent = this.weight.valueAsNumber.toFixed(2)));
     find("brush").append(
-      labelled("Brush size", this.size, "Diameter in pixels of the picture"),
-      ajar.element("div", { class: "inline" }, labelled("Chains", this.weight, "Share of chains: 0 is ordinary Monte Carlo alone, 1 chains alone"), shown),
+      labelled("Size", this.size, "Diameter in pixels of the picture"),
+      ajar.element("div", { class: "inline" }, labelled("Weight", this.weight, "Share of chains: 0 is ordinary Monte Carlo alone, 1 chains alone"), shown),
       ajar.element("div", { class: "inline" },
         ajar.element("label", { title: "Leave it to the method (Shift)" }, this.erases, " erase"), clear, ajar.element("span", { id: "masked", class: "tag", hidden: true }, "painted")),
     );
@@ -48,7 +49,7 @@ export class Brush {
   private take({ width, height, masked }: State): void {
     find("masked").hidden = !masked;
     const isOther = this.width !== width || this.height !== height;
-    const isGone = !masked && performance.now() - this.sentAt > kSettle;
+    const isGone = !masked && !this.isPainting && performance.now() - this.sentAt > kSettle;
     if (this.weights && (isOther || isGone)) this.hold(null);
     this.width = width;
     this.height = height;
@@ -57,6 +58,7 @@ export class Brush {
   private press(point: Point, erases: boolean): Drag | undefined {
     if (!this.app.state || this.width === 0) return undefined;
     const before = this.weights;
+    this.isPainting = true;
     this.weights = before ? before.slice() : new Uint8Array(this.width * this.height).fill(kNone);
     const value = erases ? kNone : Math.round(254 * this.weight.valueAsNumber);
     let last = point;
@@ -66,7 +68,10 @@ export class Brush {
         this.stroke(last, to, value);
         last = to;
       },
-      end: () => this.set(this.weights, before),
+      end: () => {
+        this.isPainting = false;
+        this.set(this.weights, before);
+      },
     };
   }
 

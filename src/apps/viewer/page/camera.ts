@@ -172,7 +172,7 @@ export class Camera {
         this.inputs.set(`${name}.${axis}`, input);
         return input;
       });
-      panel.append(ajar.element("div", { class: "field" }, ajar.element("span", { class: "field-name" }, name), ajar.element("span", { class: "triple" }, ...inputs)));
+      panel.append(ajar.element("div", { class: "field vector" }, ajar.element("span", { class: "field-name" }, name), ajar.element("span", { class: "triple" }, ...inputs)));
     }
     const numbers = [
       ["fov", "Field of view", "degrees", { min: 0.1, max: 179 }, "of the shorter side"],
@@ -192,7 +192,7 @@ export class Camera {
     for (const [key, input] of this.inputs) {
       const [name = "", axis] = key.split(".");
       const value = pose[name as keyof CameraPose];
-      showValue(input, plain(Array.isArray(value) ? value[Number(axis)] ?? 0 : value));
+      showValue(input, plain(Array.isArray(value) ? value[Number(axis)] ?? 0 : value, 4));
     }
   }
 }

@@ -42,4 +42,8 @@ export function showValue(control: HTMLInputElement | HTMLSelectElement, value: 
 }
 
 /// Numbers as inputs hold them: a float of the server is short again.
-export const plain = (value: number): string => String(Number(value.toPrecision(7)));
+export const plain = (value: number, digits = 7): string => String(Number(value.toPrecision(digits)));
+
+/// Counts as they are, other numbers with 4 digits.
+export const shortOf = (value: number): string =>
+  Number.isInteger(value) && Math.abs(value) < 1e6 ? String(value) : ajar.format(value);

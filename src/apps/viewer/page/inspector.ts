@@ -1,5 +1,5 @@
 import type { App } from "./app";
-import { find } from "./dom";
+import { find, shortOf } from "./dom";
 import { valuesAt } from "./frame";
 import type { Pixel } from "./protocol";
 import type { Stage } from "./stage";
@@ -87,22 +87,22 @@ export class Inspector {
   private showValue(): void {
     const { frame } = this.app;
     const values = frame && this.wanted ? valuesAt(frame, this.wanted.x, this.wanted.y) : undefined;
-    find("value").textContent = values ? values.map((x) => ajar.format(x)).join("  ") : "–";
+    find("value").textContent = values ? values.map(shortOf).join("  ") : "–";
   }
 
   private showPixel({ object, material, region, samples, error, values }: Pixel): void {
     const facts: [string, string][] = [
       ["object", object?.name || (object ? `number ${object.number}` : "–")],
       ["material", material?.name || (material ? `number ${material.number}` : "–")],
-      ["region", region === null ? "–" : ajar.format(region)],
-      ["samples", samples === null ? "–" : ajar.format(samples)],
+      ["region", region === null ? "–" : shortOf(region)],
+      ["samples", samples === null ? "–" : shortOf(samples)],
       ["relative error", error === null ? "–" : ajar.format(error, 3)],
     ];
     const listed = (pairs: [string, string][]) =>
       pairs.flatMap(([name, text]) => [ajar.element("dt", {}, name), ajar.element("dd", {}, text)]);
     find("pixel-facts").replaceChildren(...listed(facts));
     find("pixel-layers").replaceChildren(...listed(
-      Object.entries(values).map(([name, list]) => [name || "picture", list.map((x) => ajar.format(x ?? NaN)).join("  ")])));
+      Object.entries(values).map(([name, list]) => [name || "picture", list.map((x) => shortOf(x ?? NaN)).join("  ")])));
   }
 
   private showTip({ x, y, object, material }: Pixel): void {

@@ -34,11 +34,11 @@ export class Layers {
       this.shownExposure,
       labelled("Tone", this.tone),
       labelled("Channel", this.channel),
-      ajar.element("div", { class: "group end" },
-        button("Fit", "Whole picture (f)", () => view.fit()),
-        button("1:1", "One screen pixel per image pixel (1)", () => view.toPixels()),
-        this.shownZoom),
     );
+    find("zoom-tools").append(
+      button("Fit", "Whole picture (f)", () => view.fit()),
+      button("1:1", "One screen pixel per image pixel (1)", () => view.toPixels()),
+      this.shownZoom);
     app.stated.on(({ layers }) => this.list(layers));
     app.welcomed.on(() => this.list(app.state?.layers ?? [""], true));
     app.framed.on(() => this.show());

@@ -65,7 +65,7 @@ export class Method {
       const isUsual = text === "" || text === parameter.default;
       this.send(integrator.name, isUsual ? others : { ...others, [name]: text });
     };
-    const range = minimum !== undefined || maximum !== undefined ? ` (${minimum ?? "…"} to ${maximum ?? "…"})` : "";
+    const range = minimum !== undefined || maximum !== undefined ? ` (${parameter.choices ? `${parameter.choices.join(", ")} or ` : ""}${minimum ?? "…"} to ${maximum ?? "…"})` : "";
     const id = `parameter-${name}`;
     const control = controlFor(parameter, given, change);
     control.id = id;
@@ -73,7 +73,7 @@ export class Method {
       ajar.element("label", { class: "field-name", for: id, title: `${help}${range}; default: ${parameter.default || "none"}` }, name),
       control,
       ...(unit ? [ajar.element("span", { class: "unit" }, unit)] : []),
-      ajar.element("p", { class: "help" }, `${help}${range}`));
+      ajar.element("p", { class: "help", title: help }, `${help}${range}${given === undefined ? "" : `; default: ${parameter.default || "none"}`}`));
   }
 }
 
@@ -86,18 +86,20 @@ function matters({ depends_on, matters_for }: Parameter, integrator: Integrator,
 function controlFor(parameter: Parameter, given: string | undefined, change: (text: string) => void): HTMLInputElement | HTMLSelectElement {
   const { type, choices, minimum, maximum } = parameter;
   const value = given ?? parameter.default;
-  const options = choices ?? (type === "bool" ? ["true", "false"] : undefined);
+  const isNumber = type === "float" || type === "int";
+  // Of others, choices are words beside what can be written.
+  const options = type === "bool" ? ["true", "false"] : type === "choice" ? choices : undefined;
   if (options) {
     const control = select(options.map((one) => [one, one] as const), parameter.help, change);
     control.value = value;
     return control;
   }
-  const isNumber = type === "float" || type === "int";
+  const isPlain = isNumber && !choices;
   const input = ajar.element("input", {
-    type: isNumber && (value === "" || Number.isFinite(Number(value))) ? "number" : "text",
+    type: isPlain && (value === "" || Number.isFinite(Number(value))) ? "number" : "text",
     step: type === "int" ? 1 : "any",
-    min: isNumber ? minimum : undefined,
-    max: isNumber ? maximum : undefined,
+    min: isPlain ? minimum : undefined,
+    max: isPlain ? maximum : undefined,
     value,
     placeholder: parameter.default,
     spellcheck: "false",

@@ -1,5 +1,5 @@
 import type { App } from "./app";
-import { button, find } from "./dom";
+import { button, find, shortOf } from "./dom";
 import type { Frame } from "./frame";
 import { Signal } from "./signal";
 
@@ -33,7 +33,7 @@ export class Snapshots {
   keep(): void {
     const { frame, state } = this.app;
     if (!frame) return;
-    const parts = [frame.layer, state?.integrator, state ? `${ajar.format(state.samples, 3)} spp` : ""];
+    const parts = [frame.layer, state?.integrator, state ? `${shortOf(state.samples)} spp` : ""];
     this.kept = { frame, caption: parts.filter(Boolean).join(" · ") };
     this.isSplit = true;
     this.isFlipped = false;

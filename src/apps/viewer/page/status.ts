@@ -1,5 +1,5 @@
 import type { App } from "./app";
-import { find } from "./dom";
+import { find, shortOf } from "./dom";
 import type { State } from "./protocol";
 
 const kPhases: Record<State["phase"], string> = {
@@ -30,7 +30,7 @@ function duration(seconds: number): string {
 export class Status {
   private isOpen = false;
 
-  constructor(private readonly app: App) {
+  constructor(app: App) {
     app.stated.on((state) => this.show(state));
     app.welcomed.on(({ scene, version }) => {
       const name = scene.split("/").filter(Boolean).slice(-2).join("/");
@@ -56,7 +56,7 @@ export class Status {
     find("failure").hidden = state.phase !== "failed";
     find("failure").textContent = state.message;
     const facts: [string, string, string][] = [
-      ["samples", `${ajar.format(state.samples, 4)} spp`, "Samples per pixel"],
+      ["samples", `${shortOf(state.samples)} spp`, "Samples per pixel"],
       ["time", duration(state.seconds), "Time of rendering"],
       ["error", this.error(state), "Estimated relative error of the picture"],
     ];
