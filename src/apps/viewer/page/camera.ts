@@ -175,7 +175,7 @@ export class Camera {
       panel.append(ajar.element("div", { class: "field vector" }, ajar.element("span", { class: "field-name" }, name), ajar.element("span", { class: "triple" }, ...inputs)));
     }
     const numbers = [
-      ["fov", "Field of view", "degrees", { min: 0.1, max: 179 }, "of the shorter side"],
+      ["fov", "Field of view", "°", { min: 0.1, max: 179 }, "degrees, of the shorter side"],
       ["lens_radius", "Lens radius", "", { min: 0 }, "0: all is sharp"],
       ["focal_distance", "Focal distance", "", { min: 0 }, "along the axis; the focus tool (o) sets it by a click"],
     ] as const;
