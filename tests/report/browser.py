@@ -1,5 +1,6 @@
 """A headless Chromium, driven through its DevTools protocol over pipes: standard library only, no ports."""
 import base64
+import fcntl
 import json
 import os
 import select
@@ -23,13 +24,17 @@ class Browser:
         self._folder = tempfile.TemporaryDirectory(prefix="ajar-browser-")
         to_browser_read, self._to_browser = os.pipe()
         self._from_browser, from_browser_write = os.pipe()
-        # The protocol's pipes are descriptors 3 and 4 of the browser.
+        # The protocol's pipes are descriptors 3 and 4 of the browser. A shell may know no descriptors of two digits, which a
+        # second browser has.
+        above = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (to_browser_read, from_browser_write)]
         self._process = subprocess.Popen(
-            ["sh", "-c", f'exec "$@" 3<&{to_browser_read} 4>&{from_browser_write}', "sh",
-             program, "--headless", "--remote-debugging-pipe", "--no-sandbox", "--no-first-run", "--disable-dev-shm-usage",
+            [program, "--headless", "--remote-debugging-pipe", "--no-sandbox", "--no-first-run", "--disable-dev-shm-usage",
              "--disable-background-networking", "--enable-unsafe-swiftshader", "--use-angle=swiftshader",
              "--user-data-dir=" + self._folder.name, "about:blank"],
-            pass_fds=(to_browser_read, from_browser_write), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            preexec_fn=lambda: [os.dup2(end, i + 3) for i, end in enumerate(above)], pass_fds=(3, 4),
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        for end in above:
+            os.close(end)
         os.close(to_browser_read)
         os.close(from_browser_write)
         self._buffer = b""

@@ -31,6 +31,7 @@ constexpr double kPictureEvery = 0.1;
 constexpr double kSlow = 0.3;
 constexpr double kFast = 0.1;
 constexpr int kCoarsest = 8;
+constexpr std::size_t kSmallFrame = 128 << 10;
 
 std::string text_of(const json& message) {
   return message.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -156,7 +157,8 @@ void Viewer::acknowledge(PageId page, std::uint32_t frame) {
   if (watcher.drawn == frame) return;
   watcher.drawn = frame;
   const double seconds = clock_.seconds() - watcher.sent_at;
-  if (seconds > kSlow) watcher.next_step = std::min(kCoarsest, 2 * watcher.step);
+  // A page that is slow with a small frame is busy, not far away.
+  if (seconds > kSlow && watcher.bytes > kSmallFrame) watcher.next_step = std::min(kCoarsest, 2 * watcher.step);
   if (seconds < kFast) watcher.next_step = std::max(1, watcher.step / 2);
   wake_.notify_all();
 }
@@ -343,7 +345,13 @@ void Viewer::send_frames() {
     const Picture& picture = *frame.shown.picture;
     const Picture::Layer* layer = layer_named(picture, frame.layer);
     if (layer == nullptr) layer = &picture.layers.front();
-    server_->send_binary(frame.page, encode_frame(picture, *layer, frame.header));
+    std::string bytes = encode_frame(picture, *layer, frame.header);
+    {
+      const std::lock_guard lock(mutex_);
+      const auto watcher = watchers_.find(frame.page);
+      if (watcher != watchers_.end()) watcher->second.bytes = bytes.size();
+    }
+    server_->send_binary(frame.page, std::move(bytes));
   }
 }
 

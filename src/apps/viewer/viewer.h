@@ -60,6 +60,7 @@ class Viewer final : WebServer::Listener, LiveRender::Listener {
     int step = 1;       ///< step of the last frame
     int next_step = 1;  ///< as fast as the page takes them
     double sent_at = 0.0;
+    std::size_t bytes = 0;  ///< size of the last frame
     bool is_new = true;
   };
 
