@@ -42,11 +42,11 @@ class Server:
         self._process.terminate()
         self._process.wait()
 
-    def wait_for(self, kind, holds=lambda message: True, seconds=5):
-        """The newest message of the kind for which it holds, or None."""
+    def wait_for(self, kind, holds=lambda message: True, seconds=5, after=0):
+        """The newest message of the kind for which it holds, beyond the first `after`; or None."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            for message in reversed(self.messages):
+            for message in reversed(self.messages[after:]):
                 if message["type"] == kind and holds(message):
                     return message
             time.sleep(0.05)
@@ -164,17 +164,18 @@ def moves_camera(trial):
     trial.tool("camera")
     browser.evaluate("document.querySelectorAll('#panel-regions, #panel-error, #panel-method').forEach((one) => one.open = false)")
     browser.evaluate("document.querySelectorAll('#panel-camera, #panel-picture, #panel-edits').forEach((one) => one.open = true)")
+    # The wall in the middle is 6 away, so the camera turns about a point at z = -1.
+    browser.wait("document.querySelector('#camera [aria-label=\"target, z\"]').value === '-1'", 5)
     browser.drag(trial.place(320, 180), trial.place(420, 180))
     last = server.wait_for("camera", lambda one: not one["moving"])
-    expect(last and last["position"][0] < -0.5 and abs(sum(x * x for x in last["position"]) - 26) < 0.01, f"a drag turns the camera to {last}")
+    radius = last and sum((a - b) ** 2 for a, b in zip(last["position"], last["target"])) ** 0.5
+    expect(last and last["position"][0] < -0.5 and last["target"][2] == -1 and abs(radius - 6) < 0.01, f"a drag turns the camera to {last}")
     count = len(server.messages)
     browser.call("Input.dispatchKeyEvent", type="keyDown", key="w", code="KeyW")
-    expect(server.wait_for("camera", lambda one: one["moving"]), "w does not walk")
-    time.sleep(0.3)
+    expect(server.wait_for("camera", lambda one: one["moving"], after=count), "w does not walk")
     browser.call("Input.dispatchKeyEvent", type="keyUp", key="w", code="KeyW")
-    time.sleep(0.3)
-    walked = [one for one in server.messages[count:] if one["type"] == "camera"]
-    expect(walked and not walked[-1]["moving"] and walked[-1]["position"][2] < last["position"][2], f"walking does not end nearer: {last}, {walked[-2:]}")
+    end = server.wait_for("camera", lambda one: not one["moving"], after=count)
+    expect(end and end["position"][2] < last["position"][2], f"walking leads from {last} to {end}")
     expect(not any(one["type"] == "save" for one in server.messages), "a key that walks saves too")
     trial.picture("camera")
     trial.tool("focus")

@@ -1,7 +1,7 @@
 import type { App } from "./app";
 import { find, labelled, numberInput, plain, showValue } from "./dom";
 import type { Inspector } from "./inspector";
-import { dollied, focalDistance, orbited, walked } from "./pose";
+import { dollied, focalDistance, orbited, reaching, walked } from "./pose";
 import type { CameraPose, State } from "./protocol";
 import type { Drag, Tools } from "./tools";
 import type { Point } from "./view";
@@ -28,6 +28,8 @@ const kWalkKeys: Record<string, [number, number, number]> = {
 /// The camera: moved by mouse and keys, and by numbers.
 export class Camera {
   private pose: CameraPose | null = null;
+  /// Distance of what is in the middle of the picture, until a pose with it is sent: scenes name no target, or one in the air.
+  private reach: number | null = null;
   private sentAt = -Infinity;
   private timer = 0;
   private wheelTimer = 0;
@@ -53,7 +55,10 @@ export class Camera {
       click: (point) => void this.focus(point),
     });
     app.stated.on((state) => this.take(state));
-    tools.changed.on(() => this.stopWalking());
+    tools.changed.on(() => {
+      this.stopWalking();
+      if (tools.active.name === "camera") void this.aim();
+    });
     addEventListener("blur", () => this.stopWalking());
     this.build();
   }
@@ -93,6 +98,17 @@ export class Camera {
     if (this.held.size === 0) return;
     this.held.clear();
     this.send(false);
+  }
+
+  private async aim(): Promise<void> {
+    const { state } = this.app;
+    if (!state) return;
+    const pixel = await this.inspector.ask({ x: state.width / 2, y: state.height / 2 });
+    const depth = pixel?.values.depth?.[0];
+    if (!depth || !Number.isFinite(depth) || !this.pose || this.timer) return;
+    this.reach = depth;
+    this.pose = reaching(this.pose, depth);
+    this.show();
   }
 
   private orbit(): Drag | undefined {
@@ -149,13 +165,14 @@ export class Camera {
     this.timer = 0;
     if (!this.pose) return;
     this.sentAt = performance.now();
+    this.reach = null;
     this.app.changes.send({ type: "camera", ...this.pose, moving });
     this.show();
   }
 
   private take({ camera }: State): void {
     if (!camera || this.timer || this.held.size > 0 || performance.now() - this.sentAt < kSettle) return;
-    this.pose = camera;
+    this.pose = this.reach === null ? camera : reaching(camera, this.reach);
     this.show();
   }
 

@@ -67,7 +67,9 @@ export class Layers {
     if (names.length === 0 || (!isForced && names.join("\n") === this.names.join("\n"))) return;
     this.names = names;
     const help = new Map(this.app.welcome?.layers.map((one) => [one.name, one.help]));
-    this.layer.replaceChildren(...names.map((name) =>
+    // The layer that is asked for stays on the list while a new render has none yet.
+    const listed = names.includes(this.app.layer) ? names : [...names, this.app.layer];
+    this.layer.replaceChildren(...listed.map((name) =>
       ajar.element("option", { value: name, title: help.get(name) }, name || "Picture")));
     this.show();
   }

@@ -49,6 +49,12 @@ export function dollied(pose: CameraPose, factor: number): CameraPose {
   return { ...pose, position: add(pose.target, offset, factor) };
 }
 
+/// With the target at another distance in the same direction: the picture stays.
+export function reaching(pose: CameraPose, distance: number): CameraPose {
+  const forward = normalized(add(pose.target, pose.position, -1));
+  return { ...pose, target: add(pose.position, forward, distance) };
+}
+
 /// The focal distance, along the axis, of a point that a pixel's ray meets after `depth`.
 export function focalDistance(pose: CameraPose, width: number, height: number, x: number, y: number, depth: number): number {
   const slope = Math.tan((pose.fov * Math.PI) / 360) / (Math.min(width, height) / 2);
