@@ -87,7 +87,7 @@ function controlFor(parameter: Parameter, given: string | undefined, change: (te
   const { type, choices, minimum, maximum } = parameter;
   const value = given ?? parameter.default;
   const isNumber = type === "float" || type === "int";
-  // Of others, choices are words beside what can be written.
+  // Choices of other types are words beside what can be written.
   const options = type === "bool" ? ["true", "false"] : type === "choice" ? choices : undefined;
   if (options) {
     const control = select(options.map((one) => [one, one] as const), parameter.help, change);
