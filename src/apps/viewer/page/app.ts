@@ -6,7 +6,7 @@ import { Signal } from "./signal";
 import { Socket } from "./socket";
 import { View } from "./view";
 
-/// All that the parts of the page share.
+/// State and signals that the parts of the page share.
 export class App {
   readonly socket = new Socket();
   readonly changes = new Changes(this.socket);

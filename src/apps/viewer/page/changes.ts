@@ -1,7 +1,7 @@
 import type { ToServer } from "./protocol";
 import type { Socket } from "./socket";
 
-/// What the page itself keeps of a change: texts of inputs, painted weights.
+/// The page's own part of a change: texts of inputs, painted weights.
 export interface Local {
   undo(): void;
   redo(): void;

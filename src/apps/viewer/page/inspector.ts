@@ -25,7 +25,7 @@ export class Inspector {
     tools.changed.on(() => (find("tip").hidden = true));
   }
 
-  /// What is at an image point, or null if the server does not say.
+  /// Object, material and values at an image point, or null if the server does not say.
   ask(point: Point): Promise<Pixel | null> {
     const pixel = { x: Math.floor(point.x), y: Math.floor(point.y) };
     if (!this.isInside(pixel)) return Promise.resolve(null);

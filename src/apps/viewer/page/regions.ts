@@ -13,7 +13,7 @@ const kTitles: Record<string, string> = {
   omc: "Ordinary Monte Carlo",
 };
 
-/// Who renders what: rules for objects and materials, set by clicks.
+/// The division of the picture: rules for objects and materials, set by clicks.
 export class Regions {
   private rules: Rule[] = [];
   private selected: Pixel | null = null;

@@ -8,7 +8,7 @@ export interface Drag {
   end(): void;
 }
 
-/// What the left mouse button does on the picture. Points are of the image.
+/// A use of the left mouse button on the picture. Points are of the image.
 export interface Tool {
   name: string;
   title: string;
