@@ -98,6 +98,12 @@ target_link_libraries(ajar_measuring_test PRIVATE ajar_measuring GTest::gtest_ma
 ajar_compile_quickly(ajar_measuring_test)
 add_test(NAME measuring COMMAND ajar_measuring_test)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
+# The page of `ajar view`, with the program, and with a server that renders nothing.
+add_test(NAME viewer_page COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/tests/viewer/drive_viewer.py
+  $<TARGET_FILE:ajar> ${PROJECT_BINARY_DIR}/test-pictures/viewer)
+add_test(NAME viewer_mock COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/tests/viewer/try_page.py
+  ${PROJECT_BINARY_DIR}/viewer_page ${PROJECT_BINARY_DIR}/test-pictures/viewer-mock)
+set_tests_properties(viewer_page viewer_mock PROPERTIES LABELS "program" SKIP_RETURN_CODE 77)
 add_test(NAME results COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/bench/results_test.py)
 add_test(NAME comments COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/cmake/check_comments.py --self-test)
 set_tests_properties(measuring results comments PROPERTIES LABELS "bench;quick")

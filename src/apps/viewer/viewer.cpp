@@ -158,7 +158,8 @@ void Viewer::acknowledge(PageId page, std::uint32_t frame) {
   watcher.drawn = frame;
   const double seconds = clock_.seconds() - watcher.sent_at;
   // A page that is slow with a small frame is busy, not far away.
-  if (seconds > kSlow && watcher.bytes > kSmallFrame) watcher.next_step = std::min(kCoarsest, 2 * watcher.step);
+  if (seconds > kSlow && watcher.bytes > kSmallFrame)
+    watcher.next_step = std::min(kCoarsest, 2 * watcher.step);
   if (seconds < kFast) watcher.next_step = std::max(1, watcher.step / 2);
   wake_.notify_all();
 }
@@ -296,11 +297,14 @@ json Viewer::welcome() const {
 
 void Viewer::send_state() {
   const bool is_ready = !live_ || (live_->loaded_scene() && live_->built_scene());
+  const LoadedScene* const scene = live_ ? live_->loaded_scene().get() : nullptr;
+  // An edit that was made elsewhere, or undone, changes what can be edited.
+  const bool is_other = is_ready && std::exchange(welcomed_, scene) != scene;
   std::vector<PageId> fresh;
   {
     const std::lock_guard lock(mutex_);
     for (auto& [page, watcher] : watchers_) {
-      if (watcher.is_new && is_ready) fresh.push_back(page);
+      if ((watcher.is_new || is_other) && is_ready) fresh.push_back(page);
       watcher.is_new = watcher.is_new && !is_ready;
     }
   }

@@ -104,8 +104,10 @@ class Viewer final : WebServer::Listener, LiveRender::Listener {
   std::unique_ptr<LiveRender> live_;  ///< null where there is a finished picture
   std::unique_ptr<WebServer> server_;
   std::unique_ptr<DenoisedView> denoised_;
-  std::future<void> saving_;          ///< by the server's thread only
-  std::uint32_t denoised_epoch_ = 0;  ///< by the viewer's thread only
+  std::future<void> saving_;  ///< by the server's thread only
+  // The viewer's thread has these.
+  std::uint32_t denoised_epoch_ = 0;
+  const LoadedScene* welcomed_ = nullptr;  ///< scene that pages were told of
   std::thread thread_;
 };
 

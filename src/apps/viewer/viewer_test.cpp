@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
@@ -90,11 +91,13 @@ TEST_F(ViewerTest, ShowsAConvergingPicture) {
   EXPECT_EQ(welcome["scene"], "builtin:cornell");
   EXPECT_FALSE(welcome["objects"].empty());
   EXPECT_FALSE(welcome["parts"]["materials"].empty());
-  const json state =
-      page.wait_for("state", [](const json& now) { return now["samples"].get<double>() >= 16; });
+  // A preparation's look has no other layers.
+  const json state = page.wait_for("state", [&](const json& now) {
+    const json& layers = now["layers"];
+    return page.frames > 1 && std::find(layers.begin(), layers.end(), "object-id") != layers.end();
+  });
   EXPECT_EQ(state["width"], 48);
   EXPECT_EQ(state["phase"], "rendering");
-  EXPECT_GT(page.frames, 0);
   page.send({{"type", "inspect"}, {"x", 24}, {"y", 38}});
   const json pixel = page.wait_for("pixel");
   EXPECT_EQ(pixel["object"]["name"], welcome["objects"][pixel["object"]["number"].get<int>() - 1]);
