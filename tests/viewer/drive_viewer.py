@@ -9,6 +9,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "report"))
 from browser import Browser, find_chromium  # noqa: E402
+from page_trial import PageTrial  # noqa: E402
 
 READY = "typeof ajarView === 'object'"
 failures = []
@@ -43,22 +44,7 @@ class Program:
         self._process.communicate()
 
 
-class Trial:
-    def __init__(self, browser, pictures):
-        self.browser, self.pictures = browser, pictures
-
-    def picture(self, name):
-        if self.pictures:
-            self.browser.settle()
-            self.browser.screenshot(self.pictures / f"{name}.png")
-
-    def place(self, x, y):
-        point = self.browser.evaluate(f"ajarView.place({x}, {y})")
-        return point["x"], point["y"]
-
-    def pixel(self, x, y):
-        return self.browser.evaluate(f"ajarView.pixel({x}, {y})")
-
+class Trial(PageTrial):
     def state(self, expression):
         return self.browser.evaluate(f"ajarView.state.{expression}")
 
@@ -68,13 +54,6 @@ class Trial:
     def wait_for_frames(self, count=2):
         frame = self.browser.evaluate("ajarView.frame")
         self.wait(f"ajarView.frame > {frame} + {count - 1}")
-
-    def focus(self):
-        self.browser.evaluate("document.getElementById('viewer').focus()")
-
-    def tool(self, name):
-        if self.browser.evaluate("document.getElementById('viewer').dataset.tool") != name:
-            self.browser.click(f"#tool-{name}")
 
     def layer(self, name, frames=2):
         self.browser.evaluate(

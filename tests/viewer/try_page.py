@@ -12,6 +12,7 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "report"))
 from browser import Browser, find_chromium  # noqa: E402
+from page_trial import PageTrial  # noqa: E402
 
 failures = []
 
@@ -53,26 +54,10 @@ class Server:
         return None
 
 
-class Trial:
+class Trial(PageTrial):
     def __init__(self, browser, server, pictures):
-        self.browser, self.server, self.pictures = browser, server, pictures
-
-    def picture(self, name):
-        if self.pictures:
-            self.browser.settle()
-            self.browser.screenshot(self.pictures / f"{name}.png")
-
-    def place(self, x, y):
-        point = self.browser.evaluate(f"ajarView.place({x}, {y})")
-        return point["x"], point["y"]
-
-    def pixel(self, x, y):
-        return self.browser.evaluate(f"ajarView.pixel({x}, {y})")
-
-    def tool(self, name):
-        self.browser.evaluate("document.getElementById('viewer').focus()")
-        if self.browser.evaluate("document.getElementById('viewer').dataset.tool") != name:
-            self.browser.click(f"#tool-{name}")
+        super().__init__(browser, pictures)
+        self.server = server
 
 
 def connects(trial):

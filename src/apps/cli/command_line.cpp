@@ -233,7 +233,8 @@ void add_study(CLI::App& app, StudyArguments& a) {
 }
 
 void add_view(CLI::App& app, ViewArguments& a) {
-  CLI::App* command = app.add_subcommand("view", "Light a scene, or look at a picture, in a live page of the browser");
+  CLI::App* command = app.add_subcommand(
+      "view", "Light a scene, or look at a picture, in a live page of the browser");
   add_scene(command, a.scene);
   add_options(command, commands::kView, a.scene.spec);
   command

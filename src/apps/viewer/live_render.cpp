@@ -72,7 +72,7 @@ void write_text(const std::string& path, const std::string& text) {
   if (!file) throw IoError("view: cannot write " + path);
 }
 
-/// So that a preview has about as many pixels as can be rendered between two moves of a mouse.
+/// Gives a preview about as many pixels as can be rendered between two moves of a mouse.
 int preview_coarseness(const Vec2i& resolution) {
   constexpr int kLongerSide = 320;
   return std::max(1, (std::max(resolution.x, resolution.y) + kLongerSide - 1) / kLongerSide);
@@ -191,11 +191,13 @@ class LiveRender::Events final : public RenderEvents {
 };
 
 LiveRender::LiveRender(Options options, Listener& listener)
-    : options_(std::move(options)), listener_(listener), folder_(make_folder()) {
+    : options_(std::move(options)), listener_(listener) {
   state_.integrator = options_.spec.integrator;
   state_.parameters = options_.spec.parameters;
   state_.resolution = options_.spec.resolution;
   state_.crop = options_.spec.crop;
+  load();
+  folder_ = make_folder();
   thread_ = std::thread([this] { work(); });
 }
 
@@ -303,11 +305,6 @@ bool LiveRender::has_reached_limits() const {
 // ---------------------------------------------------------------- rendering
 
 void LiveRender::work() {
-  try {
-    load();
-  } catch (const std::exception& error) {
-    return fail(error.what());
-  }
   while (true) {
     Job job;
     {
@@ -331,7 +328,6 @@ void LiveRender::load() {
   auto loaded = std::make_shared<LoadedScene>(
       load_scene(options_.scene, warnings, options_.spec.definitions));
   for (const std::string& text : warnings.messages()) listener_.note(true, text);
-  const std::lock_guard lock(mutex_);
   original_ = std::move(loaded);
   loaded_ = original_;
   if (state_.integrator.empty()) {
@@ -344,7 +340,7 @@ void LiveRender::fail(const std::string& why) {
   {
     const std::lock_guard lock(mutex_);
     current_.reset();
-    if (version_ != begun_ && begun_ != 0) return;  // stopped for another
+    if (version_ != begun_) return;  // stopped for another
     status_.phase = LivePhase::Failed;
     status_.message = why;
   }
@@ -515,8 +511,9 @@ LiveStatus LiveRender::status() const {
   }
   if (state_.camera) {
     status.camera = *state_.camera;
-  } else if (original_) {
-    status.camera = pose_of(original_->description().camera, Box3());
+  } else {
+    status.camera =
+        pose_of(original_->description().camera, built_ ? built_->scene.bounds() : Box3());
   }
   return status;
 }

@@ -75,7 +75,8 @@ class LiveRender {
     RenderSpec spec;  ///< method, size, layers and so on to begin with
   };
 
-  /// Begins at once, on a thread of its own. `listener` must outlive this.
+  /// Loads the scene, and begins on a thread of its own. `listener` must outlive this. Raises as
+  /// `load_scene` does.
   LiveRender(Options options, Listener& listener);
   ~LiveRender();
   LiveRender(const LiveRender&) = delete;
@@ -96,7 +97,7 @@ class LiveRender {
   LivePicture picture() const;
   /// Null until there is a picture of it.
   std::shared_ptr<const BuiltScene> built_scene() const;
-  /// Null until it was loaded.
+  /// The scene with its edits.
   std::shared_ptr<const LoadedScene> loaded_scene() const;
 
  private:

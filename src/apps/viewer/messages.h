@@ -17,7 +17,7 @@ nlohmann::json parse_message(std::string_view text);
 bool apply_message(const nlohmann::json& message, LiveState& state);
 /// The limits of `stop-at`. Raises UsageError.
 StopAt parse_stop_at(const nlohmann::json& message);
-/// How a page shows its picture, as `save` says. Raises UsageError.
+/// Exposure and tone curve of a page, as `save` has them. Raises UsageError.
 DisplayOptions parse_display(const nlohmann::json& message);
 /// A mask, or null for one that takes it away. Raises UsageError.
 std::shared_ptr<const Mask> parse_mask(std::string_view bytes);

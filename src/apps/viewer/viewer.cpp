@@ -296,7 +296,7 @@ json Viewer::welcome() const {
 }
 
 void Viewer::send_state() {
-  const bool is_ready = !live_ || (live_->loaded_scene() && live_->built_scene());
+  const bool is_ready = !live_ || live_->built_scene() != nullptr;
   const LoadedScene* const scene = live_ ? live_->loaded_scene().get() : nullptr;
   // An edit that was made elsewhere, or undone, changes what can be edited.
   const bool is_other = is_ready && std::exchange(welcomed_, scene) != scene;

@@ -37,7 +37,7 @@ struct ViewerOptions {
 /// have room for: without any it develops no picture.
 class Viewer final : WebServer::Listener, LiveRender::Listener {
  public:
-  /// Raises IoError if it cannot listen there.
+  /// Raises IoError if it cannot listen there, and as `load_scene` does.
   explicit Viewer(ViewerOptions options);
   ~Viewer() override;
   Viewer(const Viewer&) = delete;
