@@ -111,6 +111,9 @@ def paints(trial):
     trial.browser.click("#undo")
     trial.wait("!ajarView.state.masked")
     trial.tool("move")
+    trial.wait("(() => { const one = document.getElementById('overlay');"
+               "return one.getContext('2d').getImageData(0, 0, one.width, one.height).data.every((byte) => byte === 0); })()", 10)
+    trial.tool("move")
 
 
 def moves_camera(trial):
@@ -177,6 +180,7 @@ def opens_a_picture(browser, ajar, folder, pictures):
         trial = Trial(browser, pictures)
         browser.open(program.address, READY)
         trial.wait("ajarView.frame > 0 && ajarView.state.phase === 'finished'")
+        expect(trial.state("samples") > 0, "it does not know how many samples the picture has")
         trial.layer("depth", 1)
         trial.picture("finished")
         _, complaints = program.interrupt()

@@ -42,8 +42,7 @@ bool is_light(const Picture::Layer& layer) {
 }
 
 double samples_of(const Picture& picture) {
-  const auto found = picture.metadata.find("ajar:samples_per_pixel");
-  return found == picture.metadata.end() ? 0.0 : number_of(found->second).value_or(0.0);
+  return metadata_number(picture, "ajar:samples_per_pixel").value_or(0.0);
 }
 
 /// Error of the mean of two pictures by samples.
@@ -103,6 +102,11 @@ const char* to_string(LivePhase phase) {
   static constexpr std::array kNames = {"loading", "preparing", "rendering",
                                         "paused",  "finished",  "failed"};
   return kNames[static_cast<std::size_t>(phase)];
+}
+
+std::optional<double> metadata_number(const Picture& picture, const std::string& key) {
+  const auto found = picture.metadata.find(key);
+  return found == picture.metadata.end() ? std::nullopt : number_of(found->second);
 }
 
 Picture add_epochs(const Picture& a, double samples_of_a, const Picture& b, double samples_of_b) {

@@ -148,6 +148,9 @@ class LiveRender {
   std::thread thread_;
 };
 
+/// A number that a render wrote into its picture; empty if it did not.
+std::optional<double> metadata_number(const Picture& picture, const std::string& key);
+
 /// Mean of two pictures of one scene by their samples: of what is light. All else is of `b`.
 Picture add_epochs(const Picture& a, double samples_of_a, const Picture& b, double samples_of_b);
 

@@ -286,6 +286,12 @@ LiveStatus Viewer::status() const {
   status.epoch = 1;
   status.resolution = options_.picture->resolution;
   status.crop = options_.picture->crop;
+  status.samples = metadata_number(*options_.picture, "ajar:samples_per_pixel").value_or(0.0);
+  status.seconds = metadata_number(*options_.picture, "ajar:render_seconds").value_or(0.0);
+  status.error = metadata_number(*options_.picture, "ajar:estimated_relative_error");
+  const auto bound = options_.picture->metadata.find("ajar:estimated_error_is_lower_bound");
+  status.error_is_lower_bound =
+      bound == options_.picture->metadata.end() || bound->second != "false";
   return status;
 }
 

@@ -1,3 +1,4 @@
+import type { App } from "./app";
 import { find } from "./dom";
 import type { ShortcutGroup } from "./keys";
 
@@ -27,9 +28,11 @@ export function toggleHelp(): void {
 }
 
 /// Says once in a browser how the page is meant.
-export function showHint(): void {
+export function showHint(app: App): void {
   const hint = find("hint");
   hint.hidden = localStorage.getItem(kHintKey) !== null;
+  // A finished picture is not for steering.
+  app.stated.on(({ phase }) => (hint.hidden ||= phase === "finished"));
   find("close-hint").addEventListener("click", () => {
     hint.hidden = true;
     localStorage.setItem(kHintKey, "1");

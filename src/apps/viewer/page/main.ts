@@ -101,7 +101,7 @@ function start(): void {
 
   const groups = shortcuts(app, stage, tools, layers, snapshots, controls);
   makeHelp(groups);
-  showHint();
+  showHint(app);
   listen(groups, (event) => camera.key(event));
   find("toggle-panels").addEventListener("click", togglePanels);
 

@@ -97,7 +97,8 @@ export class Stage {
   }
 
   private drawOverlay(place: Place): void {
-    const context = this.overlay.getContext("2d");
+    // On a processor that draws for WebGL too, canvases of the GPU show for seconds what was cleared.
+    const context = this.overlay.getContext("2d", { willReadFrequently: true });
     if (!context) return;
     context.clearRect(0, 0, this.overlay.width, this.overlay.height);
     for (const painter of this.painters) {
