@@ -22,6 +22,9 @@ namespace {
 /// Samples per pixel of a render that nothing but a person ends.
 constexpr std::uint64_t kEndless = std::uint64_t{1} << 31U;
 constexpr std::size_t kMostUndone = 200;
+/// Part of the time in which pictures are developed for pages, unless they wait too long for them.
+constexpr double kShareOfPictures = 0.03;
+constexpr double kLongestWait = 2.0;
 /// Layers to look at, as far as the method makes them.
 constexpr std::array kLayers = {"albedo",  "normal",  "depth",          "object-id", "material-id",
                                 "samples", "noise",   "standard-error", "regions",   "importance",
@@ -159,11 +162,15 @@ class LiveRender::Events final : public RenderEvents {
       const std::lock_guard lock(live_.mutex_);
       if (live_.paused_ || live_.has_reached_limits()) return true;
     }
-    return live_.listener_.wants_picture();
+    if (clock_.seconds() < due_ || !live_.listener_.wants_picture()) return false;
+    wanted_at_ = clock_.seconds();
+    return true;
   }
   void picture(const Picture& picture) override {
     live_.take(picture);
     live_.listener_.changed();
+    const double now = clock_.seconds();
+    due_ = now + std::min(kLongestWait, (now - wanted_at_) / kShareOfPictures);
     std::unique_lock lock(live_.mutex_);
     if (live_.has_reached_limits()) live_.paused_ = true;
     if (!live_.paused_ || live_.status_.phase != LivePhase::Rendering) return;
@@ -192,6 +199,9 @@ class LiveRender::Events final : public RenderEvents {
 
   LiveRender& live_;
   std::uint64_t version_;
+  Stopwatch clock_;
+  double wanted_at_ = 0.0;
+  double due_ = 0.0;  ///< time of the next picture
 };
 
 LiveRender::LiveRender(Options options, Listener& listener)

@@ -224,6 +224,8 @@ void Page::accept(const http::request<http::string_body>& request) {
   beast::get_lowest_layer(socket_).expires_never();
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(kMostBinary);
+  // Frames have megabytes; in pieces of 4 KiB they take longer.
+  socket_.auto_fragment(false);
   socket_.async_accept(request, [self = shared_from_this()](const beast::error_code& error) {
     if (error) return self->end();
     self->patience_.expires_after(kPatience);
