@@ -169,6 +169,7 @@ def serves_two(trial, program, address):
         trial.focus()
         trial.browser.key(" ", "Space")
         other.wait("ajarView.state.phase === 'paused'", 60)
+        trial.wait("ajarView.state.phase === 'paused'")
         trial.browser.key(" ", "Space")
         other.wait("ajarView.state.phase === 'rendering'", 60)
         failures.extend("the second page reports: " + error for error in other.errors)
