@@ -78,6 +78,66 @@ TEST_F(LiveRenderTest, RegionsKeepWhatWasRendered) {
   EXPECT_NEAR(mean(), expected, 0.05 * expected);
 }
 
+TEST_F(LiveRenderTest, AllEpochsCount) {
+  begin("builtin:cornell", "selective");
+  const auto is_paused = [](const LiveStatus& status) { return status.phase == LivePhase::Paused; };
+  // Passes end there, whatever their length.
+  constexpr double kMilestone = 16.0;
+  const auto own_samples = [this] {
+    return *metadata_number(*live_->picture().picture, "ajar:samples_per_pixel");
+  };
+  live_->stop_at({.samples = kMilestone, .seconds = {}, .error = {}});
+  ASSERT_TRUE(waits_until(is_paused));
+  ASSERT_EQ(own_samples(), kMilestone);
+  live_->change([](LiveState& state) { state.rules = {{"object", "*", "auto"}}; });
+  live_->stop_at({.samples = 3.0 * kMilestone, .seconds = {}, .error = {}});
+  ASSERT_TRUE(waits_until([&](const LiveStatus& status) {
+    return is_paused(status) && status.samples >= 3.0 * kMilestone;
+  }));
+  EXPECT_GE(live_->status().samples, kMilestone + own_samples());
+}
+
+/// Epochs of the same numbers would add nothing to each other.
+TEST_F(LiveRenderTest, NoTwoRendersHaveTheSameNumbers) {
+  begin("builtin:cornell", "pt");
+  const auto is_paused = [](const LiveStatus& status) { return status.phase == LivePhase::Paused; };
+  live_->stop_at({.samples = 16.0, .seconds = {}, .error = {}});
+  ASSERT_TRUE(waits_until(is_paused));
+  const LivePicture first = live_->picture();
+  live_->restart();
+  ASSERT_TRUE(waits_until([&](const LiveStatus& status) {
+    return is_paused(status) && live_->picture().epoch > first.epoch &&
+           live_->picture().picture != first.picture;
+  }));
+  const auto second = live_->picture().picture;
+  ASSERT_EQ(metadata_number(*second, "ajar:samples_per_pixel"),
+            metadata_number(*first.picture, "ajar:samples_per_pixel"));
+  EXPECT_NE(second->layers.front().pixels, first.picture->layers.front().pixels);
+}
+
+TEST_F(LiveRenderTest, APassThatIsCutShortIsForgotten) {
+  begin("builtin:cornell", "selective", 300);
+  const auto is_whole = [this] {
+    const auto picture = live_->picture().picture;
+    return picture == nullptr || !picture->metadata.contains("ajar:complete") ||
+           picture->metadata.at("ajar:complete") == "true";
+  };
+  int cut = 0;
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(waits_until([](const LiveStatus& status) {
+      return status.phase == LivePhase::Rendering && status.samples > 0.0;
+    }));
+    // The second does not wait for the pass of the first.
+    live_->change([](LiveState& state) { state.rules = {{"object", "*", "omc"}}; });
+    live_->change([](LiveState& state) { state.rules.clear(); });
+    cut += waits_until([&](const LiveStatus& status) {
+      return !is_whole() || status.phase == LivePhase::Preparing;
+    });
+    ASSERT_TRUE(is_whole());
+  }
+  EXPECT_EQ(cut, 2);
+}
+
 TEST_F(LiveRenderTest, OtherPicturesBeginAnewAndCanBeUndone) {
   begin("builtin:cornell", "pt");
   ASSERT_TRUE(has_samples(4.0));
